@@ -1,0 +1,13 @@
+# Every dependency is a Debian package; the launcher script lists the package names.
+option(SANDGRAPH_TESTS "Build the tests and benchmarks" ON)
+set(SANDGRAPH_SANITIZE "" CACHE STRING "Sanitizers passed to -fsanitize= (empty: none)")
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(TBB REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
+find_package(nlohmann_json REQUIRED)

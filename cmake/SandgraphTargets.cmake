@@ -1,0 +1,36 @@
+# One static library per folder of the architecture, one test program per tests/ folder.
+# Bitwise repeatability asks that no translation unit contracts or reorders on its own whim.
+add_library(sandgraph_flags INTERFACE)
+target_compile_options(sandgraph_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -fno-math-errno
+                       -ffp-contract=off)
+target_include_directories(sandgraph_flags INTERFACE ${CMAKE_SOURCE_DIR}/engine ${CMAKE_SOURCE_DIR})
+target_compile_definitions(sandgraph_flags INTERFACE EIGEN_MPL2_ONLY)
+if(SANDGRAPH_SANITIZE)
+  target_compile_options(sandgraph_flags INTERFACE -fsanitize=${SANDGRAPH_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(sandgraph_flags INTERFACE -fsanitize=${SANDGRAPH_SANITIZE})
+endif()
+
+# sandgraph_library(dem LINK base ...): library sg_<name> from every .cpp of the current folder.
+function(sandgraph_library name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(sg_${name} STATIC ${sources})
+  target_link_libraries(sg_${name} PUBLIC sandgraph_flags ${ARG_LINK})
+  set_target_properties(sg_${name} PROPERTIES LINKER_LANGUAGE CXX)
+endfunction()
+
+# sandgraph_test(unit/dem LINK sg_dem ...): program test_unit_dem from every .cpp of tests/unit/dem.
+function(sandgraph_test folder)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  string(REPLACE "/" "_" name ${folder})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE SANDGRAPH_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
+                             SANDGRAPH_SOURCE="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX "${folder}:")
+endfunction()
