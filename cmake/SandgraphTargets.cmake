@@ -15,9 +15,13 @@ endif()
 function(sandgraph_library name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(NOT sources)  # a folder of headers only
+    add_library(sg_${name} INTERFACE)
+    target_link_libraries(sg_${name} INTERFACE sandgraph_flags ${ARG_LINK})
+    return()
+  endif()
   add_library(sg_${name} STATIC ${sources})
   target_link_libraries(sg_${name} PUBLIC sandgraph_flags ${ARG_LINK})
-  set_target_properties(sg_${name} PROPERTIES LINKER_LANGUAGE CXX)
 endfunction()
 
 # sandgraph_test(unit/dem LINK sg_dem ...): program test_unit_dem from every .cpp of tests/unit/dem.
