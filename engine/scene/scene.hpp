@@ -14,22 +14,23 @@ enum class Orientation { horizontal, vertical };  // of the plate; pulled along 
 enum class Mode { full, screening };
 
 struct Domain {
-    double width = 6;        // [m]; of the half model when the anchor is horizontal (symmetry plane at x = 0)
-    double depth = 5;        // ground surface is y = depth, fixed base y = 0 [m]
-    double cell = 0.1;       // [m]
-    int points_per_cell = 1; // 1, 4 or 9
+    double width = 6;   // [m]; of the half model when the anchor is horizontal (symmetry plane at x = 0)
+    double depth = 5;   // ground surface is y = depth, fixed base y = 0 [m]
+    double cell = 0.1;  // [m]
+    int points_per_cell = 1;  // 1, 4 or 9
 };
 
 struct Anchor {
     bool present = true;
     Orientation orientation = Orientation::horizontal;
-    double width = 1;            // B [m]
-    double thickness = 0.1;      // [m]
-    double embedment_ratio = 3;  // H/B; H: surface to the top face (horizontal) or to the lower edge (vertical)
-    double position = 0;         // x of the plate's centre [m]; horizontal: 0 (symmetry plane); vertical: free
-    double pull_rate = 0.05;     // [m/s]
-    double ramp = 0.002;         // d/B over which the rate rises smoothly from zero
-    double pull_to = 0.4;        // d_max / B
+    double width = 1;        // B [m]
+    double thickness = 0.1;  // [m]
+    double embedment_ratio =
+        3;                    // H/B; H: surface to the top face (horizontal) or to the lower edge (vertical)
+    double position = 0;      // x of the plate's centre [m]; horizontal: 0 (symmetry plane); vertical: free
+    double pull_rate = 0.05;  // [m/s]
+    double ramp = 0.002;      // d/B over which the rate rises smoothly from zero
+    double pull_to = 0.4;     // d_max / B
     double friction_angle = std::numbers::pi / 2;  // plate-soil friction [rad]; 90 deg = perfectly rough
 };
 
@@ -38,12 +39,12 @@ struct Grains {
     int count = 400;
     double radius_min = 0.003, radius_max = 0.007;  // [m]
     dem::Material material;
-    std::string density = "dense";          // "dense" (porosity 0.16), "loose" (0.20) or "custom"
-    double target_porosity = 0.16;          // at 10 kPa
-    double consolidation_friction = 0;      // [rad]
-    double consolidation_pressure = 10e3;   // [Pa]
+    std::string density = "dense";         // "dense" (porosity 0.16), "loose" (0.20) or "custom"
+    double target_porosity = 0.16;         // at 10 kPa
+    double consolidation_friction = 0;     // [rad]
+    double consolidation_pressure = 10e3;  // [Pa]
     std::uint64_t seed = 1;
-    std::string packing;                    // file (.csv or .h5) to start from instead of the recipe; "" = recipe
+    std::string packing;  // file (.csv or .h5) to start from instead of the recipe; "" = recipe
 };
 
 // How an RVE follows its point (DESIGN section 4, "work follows strain").
@@ -58,9 +59,10 @@ struct RveStepping {
 
 // Closed-form laws (law = "elastic" | "mohr_coulomb").
 struct Continuum {
-    double young = 20e6, poisson = 0.3;                       // [Pa], -
-    double friction_angle = 30 * std::numbers::pi / 180, dilation_angle = 0, cohesion = 0;  // [rad], [rad], [Pa]
-    double density = 2200;                                    // bulk [kg/m3]
+    double young = 20e6, poisson = 0.3;  // [Pa], -
+    double friction_angle = 30 * std::numbers::pi / 180, dilation_angle = 0,
+           cohesion = 0;    // [rad], [rad], [Pa]
+    double density = 2200;  // bulk [kg/m3]
 };
 
 struct Ground {
@@ -74,19 +76,19 @@ struct Ground {
 
 struct Mpm {
     double courant = 0.3;
-    double damping = 0.05;       // local (non-viscous) grid damping
-    double pic_fraction = 0.01;  // share of PIC in the velocity update, the rest FLIP
-    double mass_scaling = 1;     // inertia multiplied, gravity kept
+    double damping = 0.05;         // local (non-viscous) grid damping
+    double pic_fraction = 0.01;    // share of PIC in the velocity update, the rest FLIP
+    double mass_scaling = 1;       // inertia multiplied, gravity kept
     double contact_stiffness = 1;  // plate-soil penalty, in units of M/cell (M: P-wave modulus)
 };
 
 struct Output {
-    std::string folder;             // default: out/<scene file stem>
+    std::string folder;  // default: out/<scene file stem>
     bool pictures = false;
-    double load_every = 0.0005;     // in d/B
+    double load_every = 0.0005;                                  // in d/B
     std::vector<double> frames = {0, 0.02, 0.1, 0.2, 0.3, 0.4};  // in d/B
-    double checkpoint_every = 120;  // wall time [s]
-    bool history = false;           // RVE history log (off unless asked for)
+    double checkpoint_every = 120;                               // wall time [s]
+    bool history = false;                                        // RVE history log (off unless asked for)
 };
 
 struct Scene {

@@ -1,0 +1,18 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sandgraph {
+
+// Restricted Damerau-Levenshtein distance: insertions, deletions, substitutions and swaps of neighbours, 1
+// each.
+int edit_distance(std::string_view a, std::string_view b);
+
+// The known name nearest to `word`, the first of equals; empty if `known` is.
+std::string nearest_name(std::string_view word, std::span<const std::string> known);
+
+// Without blanks at both ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace sandgraph

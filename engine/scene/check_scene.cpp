@@ -1,0 +1,99 @@
+#include "scene/check_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace sandgraph::scene {
+namespace {
+
+// Free ground, in plate widths, that a plate needs between itself and a wall or the base.
+constexpr double clearance_in_widths = 1;
+constexpr double slack = 1e-9;  // for lengths that round-off moved [m]
+
+class Checks {
+  public:
+    Checks(const Scene& scene, const KeyTable& keys)
+        : domain_(scene.domain), anchor_(scene.anchor), keys_(keys), file_(scene.file) {}
+
+    void grid() const {
+        whole_cells("domain.width", domain_.width);
+        whole_cells("domain.depth", domain_.depth);
+    }
+    void plate() const {
+        anchor_.orientation == Orientation::horizontal ? horizontal_plate() : vertical_plate();
+        if (anchor_.ramp >= anchor_.pull_to)
+            refuse("anchor.ramp", fmt::format("not below pull_to = {:.6g}", anchor_.pull_to),
+                   "write a shorter ramp");
+    }
+
+  private:
+    // A key that the file does not give is named with its default, at the file as a whole.
+    [[noreturn]] void refuse(const char* name, const std::string& why, const std::string& suggestion) const {
+        const Key& key = keys_.at(name);
+        throw InputError(key.given ? key.where : InputError::Where{file_, 0},
+                         fmt::format("{} = {}{}", name, key.value->shown(), key.given ? "" : " (default)"),
+                         why, suggestion);
+    }
+    void whole_cells(const char* name, double length) const {
+        const double cells = length / domain_.cell, nearest = std::max(1.0, std::round(cells));
+        if (std::abs(cells - nearest) > 1e-6)
+            refuse(name, fmt::format("not a multiple of cell = {:.6g} m", domain_.cell),
+                   fmt::format("write \"{:.6g} m\"", nearest * domain_.cell));
+    }
+    void need_depth(double needed, const char* why) const {
+        if (domain_.depth + slack < needed)
+            refuse("domain.depth", why, fmt::format("write \"{:.6g} m\" or more", cells_up(needed)));
+    }
+    void need_width(double needed, const char* why) const {
+        if (domain_.width + slack < needed)
+            refuse("domain.width", why, fmt::format("write \"{:.6g} m\" or more", cells_up(needed)));
+    }
+    double cells_up(double length) const { return std::ceil(length / domain_.cell - 1e-6) * domain_.cell; }
+
+    void horizontal_plate() const {
+        const double B = anchor_.width, H = anchor_.embedment_ratio * B, lower_face = H + anchor_.thickness;
+        if (anchor_.position != 0)
+            refuse("anchor.position", "a horizontal plate lies on the symmetry plane",
+                   "leave it out or write \"0 m\"");
+        need_depth(lower_face, "the plate lies below the base, outside the ground");
+        need_width(B / 2, "the plate reaches through the side, outside the ground");
+        need_depth(lower_face + clearance_in_widths * B,
+                   "domain too small: less than B of ground below the plate");
+        need_width((0.5 + clearance_in_widths) * B,
+                   "domain too small: less than B of ground beside the plate");
+        if (anchor_.pull_to >= anchor_.embedment_ratio)
+            refuse("anchor.pull_to", "the plate would leave the ground",
+                   fmt::format("write less than embedment_ratio = {:.6g}", anchor_.embedment_ratio));
+    }
+    void vertical_plate() const {
+        const double B = anchor_.width, H = anchor_.embedment_ratio * B, half = 0.5 * anchor_.thickness;
+        const double front = anchor_.position + half, travel = anchor_.pull_to * B;
+        if (anchor_.embedment_ratio < 1)
+            refuse("anchor.embedment_ratio",
+                   "the plate's upper edge stands above the surface, outside the ground", "write 1 or more");
+        need_depth(H, "the plate reaches below the base, outside the ground");
+        need_depth(H + clearance_in_widths * B, "domain too small: less than B of ground below the plate");
+        if (anchor_.position - half < clearance_in_widths * B)
+            refuse("anchor.position", "less than B of ground behind the plate",
+                   fmt::format("write \"{:.6g} m\" or more", half + clearance_in_widths * B));
+        need_width(front, "the plate stands beyond the side, outside the ground");
+        need_width(front + travel + clearance_in_widths * B,
+                   "domain too small: less than B of ground ahead of the pulled plate");
+    }
+
+    const Domain& domain_;
+    const Anchor& anchor_;
+    const KeyTable& keys_;
+    const std::string& file_;
+};
+
+}  // namespace
+
+void check_scene(const Scene& scene, const KeyTable& keys) {
+    const Checks checks(scene, keys);
+    checks.grid();
+    if (scene.anchor.present) checks.plate();
+}
+
+}  // namespace sandgraph::scene

@@ -1,0 +1,105 @@
+#include "scene/grain_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace sandgraph::scene {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// Porosity and consolidation friction that the paper's two densities stand for.
+struct Preset {
+    const char* density;
+    double porosity, friction;
+};
+constexpr Preset presets[] = {{"dense", 0.16, 0}, {"loose", 0.20, 13 * degree}};
+
+// A name the table knows, kept as text in the struct.
+class DensityName : public Choice {
+  public:
+    explicit DensityName(std::string& density)
+        : Choice(
+              names(), [&density](std::size_t i) { density = names()[i]; },
+              [&density] { return density == "dense"   ? 0u
+                                  : density == "loose" ? 1u
+                                                       : 2u; }) {}
+
+  private:
+    static std::vector<std::string> names() { return {"dense", "loose", "custom"}; }
+};
+
+void refuse_given(const KeyTable& keys, const char* name, const Grains& grains) {
+    const Key& key = keys.at(name);
+    if (key.given)
+        throw InputError(key.where, fmt::format("{} = {}", name, key.value->shown()),
+                         fmt::format("density = \"{}\" sets it", grains.density),
+                         "write density = \"custom\" or leave this key out");
+}
+
+}  // namespace
+
+void add_material_keys(KeyTable& keys, dem::Material& m) {
+    auto grains = keys.section("grains");
+    grains.real("grain_density", m.density, "kg/m3", above(0), "density of the grains");
+    grains.real("young", m.young, "MPa", above(0), "contact modulus E; k_n = E r*");
+    grains.real("stiffness_ratio", m.stiffness_ratio, "", above(0), "k_t / k_n");
+    grains.real("friction_angle", m.friction_angle, "deg", within(0, 80 * degree), "between grains");
+    grains.real("rolling_stiffness", m.rolling_stiffness, "", at_least(0), "beta; k_r = beta k_t r_i r_j");
+    grains.real("rolling_limit", m.rolling_limit, "", at_least(0), "eta; |M| <= eta min(r_i, r_j) f_n");
+    grains.real("damping", m.damping, "", within(0, 0.9), "local damping alpha");
+    grains.real("depth", m.depth, "m", above(0), "thickness of the disks and the cell");
+    grains.choice("rolling_form", m.rolling_form, {"incremental", "total"},
+                  "elastic-plastic, or eq. 10 as read");
+}
+
+void add_grain_keys(KeyTable& keys, Grains& g) {
+    auto grains = keys.section("grains");
+    grains.add("density", std::make_unique<DensityName>(g.density),
+               "dense: porosity 0.16; loose: 0.20; custom: by the next two keys");
+    grains.real("target_porosity", g.target_porosity, "", within(0.1, 0.3), "2D porosity at 10 kPa (custom)");
+    grains.real("consolidation_friction", g.consolidation_friction, "deg", within(0, 80 * degree),
+                "friction while consolidating (custom)");
+    grains.integer("count", g.count, 20, "disks in a packing");
+    grains.real("radius_min", g.radius_min, "mm", above(0), "smallest disk");
+    grains.real("radius_max", g.radius_max, "mm", above(0), "largest disk");
+    grains.real("consolidation_pressure", g.consolidation_pressure, "kPa", above(0), "of the base packing");
+    grains.integer("seed", g.seed, 0, "of the random packing; another seed is another sample");
+    grains.input_file("packing", g.packing, "start from this .csv or .h5 instead of the recipe").in_hash =
+        false;
+    add_material_keys(keys, g.material);
+}
+
+void add_stepping_keys(KeyTable& keys, RveStepping& r) {
+    auto rve = keys.section("rve");
+    rve.real("time_step_fraction", r.time_step_fraction, "", above_up_to(0, 1),
+             "DEM time step as a share of the critical one");
+    rve.real("inertial_number_max", r.inertial_number_max, "", above(0),
+             "bound on I; smaller is slower, truer");
+    rve.real("strain_per_step_max", r.strain_per_step_max, "", above_up_to(0, 1e-2),
+             "bound on a DEM step's strain");
+    rve.real("pressure_floor", r.pressure_floor, "Pa", above(0),
+             "p below which the bound on I stops tightening");
+    rve.real("update_tolerance", r.update_tolerance, "", at_least(0),
+             "predicted stress change between updates / p; 0 updates at every step");
+    rve.integer("steps_min", r.steps_min, 1, "DEM steps of an update at least");
+}
+
+void complete_grains(const KeyTable& keys, Grains& g) {
+    for (const Preset& preset : presets) {
+        if (g.density != preset.density) continue;
+        refuse_given(keys, "grains.target_porosity", g);
+        refuse_given(keys, "grains.consolidation_friction", g);
+        g.target_porosity = preset.porosity;
+        g.consolidation_friction = preset.friction;
+    }
+    if (g.radius_min > g.radius_max) {
+        const Key& key = keys.at("grains.radius_min");
+        throw InputError(key.where, fmt::format("grains.radius_min = {}", key.value->shown()),
+                         fmt::format("above radius_max = {}", keys.at("grains.radius_max").value->shown()),
+                         "write radius_min <= radius_max");
+    }
+}
+
+}  // namespace sandgraph::scene

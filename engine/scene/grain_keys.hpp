@@ -1,0 +1,19 @@
+#pragma once
+#include "scene/key_table.hpp"
+#include "scene/scene.hpp"
+
+namespace sandgraph::scene {
+
+// Contact parameters of the grains, keys of [grains] in scenes, recipes and element tests.
+void add_material_keys(KeyTable& keys, dem::Material& material);
+
+// The whole recipe, [grains].
+void add_grain_keys(KeyTable& keys, Grains& grains);
+
+// How packings follow strain, [rve].
+void add_stepping_keys(KeyTable& keys, RveStepping& rve);
+
+// After reading: fills in what density = "dense" or "loose" stands for, and checks the grains as a whole.
+void complete_grains(const KeyTable& keys, Grains& grains);
+
+}  // namespace sandgraph::scene

@@ -1,0 +1,61 @@
+#pragma once
+#include <vector>
+
+#include "scene/range.hpp"
+#include "scene/value.hpp"
+
+namespace sandgraph::scene {
+
+// A real number; with a unit it must be written as text ("30 kPa"), without one as a bare number.
+class Real : public Value {
+  public:
+    Real(double& value, std::string unit, Range range)
+        : value_(value), unit_(std::move(unit)), range_(range) {}
+    void read(const Entry& entry) override;
+    std::string shown() const override;
+    std::string canonical() const override;
+    std::string allowed() const override { return range_.text(unit_); }
+
+  private:
+    double quantity(const Entry& entry) const;
+    double& value_;
+    std::string unit_;
+    Range range_;
+};
+
+// A list of bare numbers, rising.
+class RisingReals : public Value {
+  public:
+    RisingReals(std::vector<double>& values, Range range) : values_(values), range_(range) {}
+    void read(const Entry& entry) override;
+    std::string shown() const override;
+    std::string canonical() const override;
+    std::string allowed() const override { return "rising, each " + range_.text(""); }
+
+  private:
+    std::vector<double>& values_;
+    Range range_;
+};
+
+// A whole number of at least `low` (and one of `only`, unless that is empty).
+template <class Int>
+class Integer : public Value {
+  public:
+    Integer(Int& value, std::int64_t low, std::vector<std::int64_t> only = {})
+        : value_(value), low_(low), only_(std::move(only)) {}
+    void read(const Entry& entry) override;
+    std::string shown() const override { return std::to_string(value_); }
+    std::string canonical() const override { return std::to_string(value_); }
+    std::string allowed() const override;
+
+  private:
+    Int& value_;
+    std::int64_t low_;
+    std::vector<std::int64_t> only_;
+};
+
+extern template class Integer<int>;
+extern template class Integer<std::int64_t>;
+extern template class Integer<std::uint64_t>;
+
+}  // namespace sandgraph::scene

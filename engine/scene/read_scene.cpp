@@ -1,0 +1,49 @@
+#include "scene/read_scene.hpp"
+
+#include <sstream>
+
+#include "scene/check_scene.hpp"
+#include "scene/grain_keys.hpp"
+#include "scene/scene_keys.hpp"
+#include "scene/toml_file.hpp"
+
+namespace sandgraph::scene {
+namespace {
+
+std::string to_text(const toml::table& table) {
+    std::ostringstream out;
+    out << toml::toml_formatter{table, toml::toml_formatter::default_flags} << '\n';
+    return out.str();
+}
+
+// A vertical plate stands in the middle unless the scene says where.
+void place_anchor(const KeyTable& keys, Scene& scene) {
+    const bool free = scene.anchor.orientation == Orientation::vertical && !keys.at("anchor.position").given;
+    if (free) scene.anchor.position = 0.5 * scene.domain.width;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& file, std::span<const std::string> overrides) {
+    Scene scene;
+    scene.file = file;
+    toml::table table = parse_toml(text, file);
+    KeyTable keys = scene_keys(scene);
+    keys.read(table, file);
+    for (const std::string& assignment : overrides) {
+        const toml::table extra = parse_override(assignment);
+        keys.read(extra, override_file);
+        merge(table, extra);
+    }
+    scene.text = overrides.empty() ? text : to_text(table);
+    complete_grains(keys, scene.ground.grains);
+    place_anchor(keys, scene);
+    check_scene(scene, keys);
+    return scene;
+}
+
+Scene read_scene(const std::string& file, std::span<const std::string> overrides) {
+    return parse_scene(read_text(file), file, overrides);
+}
+
+}  // namespace sandgraph::scene

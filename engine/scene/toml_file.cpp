@@ -1,0 +1,74 @@
+#include "scene/toml_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace sandgraph::scene {
+namespace {
+
+[[noreturn]] void refuse_assignment(const std::string& assignment) {
+    throw InputError({override_file, 0}, fmt::format("\"{}\"", assignment), "not an assignment",
+                     "write --set section.key=value");
+}
+
+// Wraps the value as `section = {key = value}` so that it keeps the line it was parsed from.
+toml::table wrap(const std::string& name, const std::string& value) {
+    const auto dot = name.find('.');
+    const std::string inner =
+        fmt::format("{} = {}", dot == std::string::npos ? name : name.substr(dot + 1), value);
+    return toml::parse(dot == std::string::npos ? inner
+                                                : fmt::format("[{}]\n{}", name.substr(0, dot), inner));
+}
+
+}  // namespace
+
+std::string read_text(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (in) text << in.rdbuf();
+    if (!in)
+        throw InputError({file, 0}, "cannot be read", "no such file, or no permission", "check the path");
+    return text.str();
+}
+
+toml::table parse_toml(const std::string& text, const std::string& file) {
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        throw InputError({file, static_cast<int>(error.source().begin.line)}, "not valid TOML",
+                         std::string{error.description()}, "mend the line; texts need quotes, numbers none");
+    }
+}
+
+toml::table parse_override(const std::string& assignment) {
+    const auto equals = assignment.find('=');
+    if (equals == std::string::npos) refuse_assignment(assignment);
+    const std::string name{trimmed(assignment.substr(0, equals))};
+    const std::string value{trimmed(assignment.substr(equals + 1))};
+    try {
+        return wrap(name, value);
+    } catch (const toml::parse_error&) {
+    }
+    try {
+        return wrap(name, fmt::format("'''{}'''", value));
+    } catch (const toml::parse_error&) {
+        refuse_assignment(assignment);
+    }
+}
+
+void merge(toml::table& base, const toml::table& extra) {
+    for (const auto& [key, node] : extra) {
+        toml::table* old = base[key].as_table();
+        if (old && node.is_table())
+            merge(*old, *node.as_table());
+        else
+            node.visit([&, name = key.str()](const auto& value) { base.insert_or_assign(name, value); });
+    }
+}
+
+}  // namespace sandgraph::scene

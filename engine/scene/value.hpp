@@ -1,0 +1,30 @@
+#pragma once
+#include <toml++/toml.h>
+
+#include <string>
+
+#include "base/error.hpp"
+
+namespace sandgraph::scene {
+
+// One `name = value` as it stands in a file.
+struct Entry {
+    const toml::node& node;
+    InputError::Where where;
+    std::string name;  // with its table: "anchor.width"
+
+    std::string text() const;  // the value as written
+    [[noreturn]] void refuse(const std::string& why, const std::string& suggestion) const;
+};
+
+// Where a key's value lives, and how it is read from TOML, checked and written again.
+class Value {
+  public:
+    virtual ~Value() = default;
+    virtual void read(const Entry& entry) = 0;
+    virtual std::string shown() const = 0;      // for people: "30 kPa"
+    virtual std::string canonical() const = 0;  // for the hash: SI, every bit
+    virtual std::string allowed() const { return ""; }
+};
+
+}  // namespace sandgraph::scene

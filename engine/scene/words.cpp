@@ -1,0 +1,49 @@
+#include "scene/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/text.hpp"
+
+namespace sandgraph::scene {
+namespace {
+
+std::string word(const Entry& entry) {
+    const auto text = entry.node.value_exact<std::string>();
+    if (!text) entry.refuse("not a text", "write it in quotes");
+    return *text;
+}
+
+}  // namespace
+
+void Flag::read(const Entry& entry) {
+    const auto value = entry.node.value_exact<bool>();
+    if (!value) entry.refuse("neither true nor false", "write true or false, without quotes");
+    value_ = *value;
+}
+
+void Text::read(const Entry& entry) { value_ = word(entry); }
+
+void InputFile::read(const Entry& entry) {
+    namespace fs = std::filesystem;
+    const fs::path name = word(entry), beside = fs::path(entry.where.file).parent_path() / name;
+    if (!fs::is_regular_file(beside) && !fs::is_regular_file(name))
+        entry.refuse("no such file", "give a path relative to the file that names it, or an absolute one");
+    value_ = (fs::is_regular_file(beside) ? beside : name).string();
+}
+
+void Choice::read(const Entry& entry) {
+    const std::string name = word(entry);
+    const auto found = std::ranges::find(names_, name);
+    if (found == names_.end())
+        entry.refuse(fmt::format("known: {}", fmt::join(names_, ", ")),
+                     fmt::format("did you mean \"{}\"?", nearest_name(name, names_)));
+    set_(static_cast<std::size_t>(found - names_.begin()));
+}
+
+std::string Choice::allowed() const { return fmt::format("\"{}\"", fmt::join(names_, "\", \"")); }
+
+}  // namespace sandgraph::scene
