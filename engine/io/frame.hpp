@@ -16,7 +16,7 @@ struct Field {
 
 // The ground at one moment: what run.h5 keeps and ParaView shows.
 struct Frame {
-    double time = 0;      // [s]
+    double time = 0;  // [s]
     double d_over_B = 0;
     double plate_x = 0, plate_y = 0;  // current centre of the plate [m]
     std::vector<double> x, y;         // positions of the material points [m]
@@ -25,12 +25,12 @@ struct Frame {
 
 // One row of load.csv; all for the whole plate (a half model is doubled before it gets here).
 struct LoadRow {
-    double d_over_B = 0, load = 0;           // [-], [N/m]
-    double top = 0, bottom = 0;              // contact force on the leading and trailing face [N/m]
-    double time = 0;                         // [s]
+    double d_over_B = 0, load = 0;               // [-], [N/m]
+    double top = 0, bottom = 0;                  // contact force on the leading and trailing face [N/m]
+    double time = 0;                             // [s]
     double kinetic_energy = 0, strain_work = 0;  // [J/m]
-    double rve_active = 0;                   // points that own a packing
-    double dem_steps = 0;                    // cumulated
+    double rve_active = 0;                       // points that own a packing
+    double dem_steps = 0;                        // cumulated
 };
 
 }  // namespace sandgraph::io

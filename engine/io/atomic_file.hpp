@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+namespace sandgraph::io {
+
+// A file that appears whole or not at all: write to `temporary()`, then `commit()` flushes it to the disk and
+// renames it over the final name. Destroyed without commit, it leaves no trace. System failures (disk full,
+// no permission) throw std::system_error.
+class AtomicFile {
+  public:
+    explicit AtomicFile(std::filesystem::path final_path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    const std::filesystem::path& temporary() const { return temporary_; }
+    void commit();
+    // As commit, and what had the final name before is kept under `previous`; at no moment are both missing.
+    void commit_keeping(const std::filesystem::path& previous);
+
+  private:
+    std::filesystem::path final_, temporary_;
+    bool committed_ = false;
+};
+
+// Writes a whole text file atomically.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+// fsync of a file or a folder.
+void sync_to_disk(const std::filesystem::path& path);
+
+}  // namespace sandgraph::io

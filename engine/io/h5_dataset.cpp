@@ -1,0 +1,176 @@
+#include "io/h5_dataset.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+#include "io/h5_attribute.hpp"
+
+namespace sandgraph::io::h5 {
+namespace {
+
+template <class T>
+hid_t native();
+template <>
+hid_t native<double>() {
+    return H5T_NATIVE_DOUBLE;
+}
+template <>
+hid_t native<float>() {
+    return H5T_NATIVE_FLOAT;
+}
+template <>
+hid_t native<std::int64_t>() {
+    return H5T_NATIVE_INT64;
+}
+template <>
+hid_t native<std::int32_t>() {
+    return H5T_NATIVE_INT32;
+}
+template <>
+hid_t native<std::int16_t>() {
+    return H5T_NATIVE_INT16;
+}
+template <>
+hid_t native<std::uint8_t>() {
+    return H5T_NATIVE_UINT8;
+}
+
+constexpr hsize_t chunk_rows = 4096;
+
+std::vector<hsize_t> to_hsize(const Shape& shape) { return {shape.begin(), shape.end()}; }
+
+Handle dataspace(const Shape& shape, Storage storage, const Group& group) {
+    const std::vector<hsize_t> now = to_hsize(shape);
+    std::vector<hsize_t> most = now;
+    if (storage == Storage::growing) most.front() = H5S_UNLIMITED;
+    return own(H5Screate_simple(static_cast<int>(now.size()), now.data(), most.data()), H5Sclose,
+               group.file(), "describe a dataset");
+}
+
+Handle creation(const Shape& shape, Storage storage) {
+    Handle list = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "HDF5", "create a property list");
+    const bool empty = std::find(shape.begin(), shape.end(), 0u) != shape.end();
+    if (storage == Storage::contiguous || (empty && storage != Storage::growing)) return list;
+    std::vector<hsize_t> chunk = to_hsize(shape);
+    chunk.front() = storage == Storage::growing ? chunk_rows : std::min(chunk.front(), chunk_rows);
+    H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(list.get());
+    H5Pset_deflate(list.get(), 1);
+    H5Pset_fletcher32(list.get());
+    return list;
+}
+
+Handle open_dataset(const Group& group, std::string_view name) {
+    Handle id(
+        group.has(name) ? H5Dopen2(group.id(), std::string(name).c_str(), H5P_DEFAULT) : H5I_INVALID_HID,
+        H5Dclose);
+    if (id.get() < 0) refuse(group, "the dataset " + group.path_of(name) + " is missing", last_error());
+    return id;
+}
+
+Shape shape_of(const Handle& dataset) {
+    const Handle space(H5Dget_space(dataset.get()), H5Sclose);
+    std::vector<hsize_t> dims(std::max(0, H5Sget_simple_extent_ndims(space.get())));
+    H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr);
+    return {dims.begin(), dims.end()};
+}
+
+std::string name_of_type(hid_t type) {
+    const std::size_t bits = 8 * H5Tget_size(type);
+    switch (H5Tget_class(type)) {
+        case H5T_FLOAT:
+            return fmt::format("float{}", bits);
+        case H5T_INTEGER:
+            return fmt::format("{}int{}", H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "", bits);
+        case H5T_STRING:
+            return "text";
+        default:
+            return "unknown type";
+    }
+}
+
+template <class T>
+void require_type(const Group& group, std::string_view name, const Handle& dataset) {
+    const Handle type(H5Dget_type(dataset.get()), H5Tclose);
+    const std::string found = name_of_type(type.get()), wanted = name_of_type(native<T>());
+    if (found != wanted)
+        refuse(group, fmt::format("the dataset {} is {}", group.path_of(name), found), wanted + " expected");
+}
+
+}  // namespace
+
+template <class T>
+void write(Group& group, std::string_view name, std::span<const T> values, const Shape& shape,
+           std::string_view unit, Storage storage) {
+    const std::string label(name);
+    const Handle links = own(H5Pcreate(H5P_LINK_CREATE), H5Pclose, group.file(), "create a property list");
+    H5Pset_create_intermediate_group(links.get(), 1);
+    const Handle id =
+        own(H5Dcreate2(group.id(), label.c_str(), native<T>(), dataspace(shape, storage, group).get(),
+                       links.get(), creation(shape, storage).get(), H5P_DEFAULT),
+            H5Dclose, group.file(), "create the dataset " + group.path_of(name));
+    if (!values.empty())
+        check(H5Dwrite(id.get(), native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), group.file(),
+              "write the dataset " + group.path_of(name));
+    if (!unit.empty()) set_attribute(group, name, "unit", std::string(unit));
+}
+
+template <class T>
+void append(Group& group, std::string_view name, std::span<const T> values) {
+    if (values.empty()) return;
+    const Handle id = open_dataset(group, name);
+    const std::string action = "append to " + group.path_of(name);
+    const hsize_t start = shape_of(id).at(0), count = values.size(), size = start + count;
+    check(H5Dset_extent(id.get(), &size), group.file(), action);
+    const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose),
+        space(H5Dget_space(id.get()), H5Sclose);
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &start, nullptr, &count, nullptr);
+    check(H5Dwrite(id.get(), native<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()),
+          group.file(), action);
+}
+
+void truncate(Group& group, std::string_view name, std::size_t size) {
+    const Handle id = open_dataset(group, name);
+    const Shape now = shape_of(id);
+    if (now.size() != 1 || now[0] < size)
+        refuse(group, fmt::format("{} is too short", group.path_of(name)),
+               fmt::format("{} entries needed", size));
+    const hsize_t wanted = size;
+    check(H5Dset_extent(id.get(), &wanted), group.file(), "truncate " + group.path_of(name));
+}
+
+template <class T>
+std::vector<T> read(const Group& group, std::string_view name) {
+    const Handle id = open_dataset(group, name);
+    require_type<T>(group, name, id);
+    const Shape dims = shape_of(id);
+    std::vector<T> values(std::accumulate(dims.begin(), dims.end(), std::size_t{1}, std::multiplies<>()));
+    if (!values.empty() && H5Dread(id.get(), native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+        refuse(group, "the dataset " + group.path_of(name) + " is damaged", last_error());
+    return values;
+}
+
+Shape shape(const Group& group, std::string_view name) { return shape_of(open_dataset(group, name)); }
+
+std::string type_name(const Group& group, std::string_view name) {
+    const Handle id = open_dataset(group, name);
+    return name_of_type(Handle(H5Dget_type(id.get()), H5Tclose).get());
+}
+
+#define SANDGRAPH_H5_DATASET(T)                                                                          \
+    template void write<T>(Group&, std::string_view, std::span<const T>, const Shape&, std::string_view, \
+                           Storage);                                                                     \
+    template void append<T>(Group&, std::string_view, std::span<const T>);                               \
+    template std::vector<T> read<T>(const Group&, std::string_view);
+SANDGRAPH_H5_DATASET(double)
+SANDGRAPH_H5_DATASET(float)
+SANDGRAPH_H5_DATASET(std::int64_t)
+SANDGRAPH_H5_DATASET(std::int32_t)
+SANDGRAPH_H5_DATASET(std::int16_t)
+SANDGRAPH_H5_DATASET(std::uint8_t)
+#undef SANDGRAPH_H5_DATASET
+
+}  // namespace sandgraph::io::h5
