@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/LU>
+
 #include <cstdint>
 #include <vector>
 
@@ -8,22 +10,22 @@
 namespace sandgraph::dem {
 
 // A contact or near pair (i, j): the image of j that touches i sits at x_j + H (cell_x, cell_y).
-// n points from i to j; the tangent is e = (n_y, -n_x); the force on j is f_n n + tangential e, the moment on j
-// is +moment. In 2D the tangential force is one number, turned with the contact by definition.
+// n points from i to j; the tangent is e = (n_y, -n_x); the force on j is f_n n + tangential e, the moment on
+// j is +moment. In 2D the tangential force is one number, turned with the contact by definition.
 struct Contact {
     std::int32_t i = 0, j = 0;
     std::int16_t cell_x = 0, cell_y = 0;
     double tangential = 0;  // [N]
-    double moment = 0;      // [N m]
+    double moment = 0;      // [N m]; total rolling form: the uncapped -k_r theta
 };
 
 // A periodic packing of disks at rest or in motion: everything needed to go on with the next DEM step.
 struct Packing {
-    Mat2 H = Mat2::Identity();           // columns are the periods [m]
-    std::vector<double> x, y, r;         // centres (any image) and radii [m], size N
-    std::vector<double> vx, vy, spin;    // velocities at the half step [m/s], [rad/s]; empty = at rest
-    std::vector<Contact> contacts;       // history; pairs that are absent start at zero
-    Mat2 L = Mat2::Zero();               // velocity gradient of the last step [1/s]
+    Mat2 H = Mat2::Identity();         // columns are the periods [m]
+    std::vector<double> x, y, r;       // centres (any image) and radii [m], size N
+    std::vector<double> vx, vy, spin;  // velocities at the half step [m/s], [rad/s]; empty = at rest
+    std::vector<Contact> contacts;     // history; pairs that are absent start at zero
+    Mat2 L = Mat2::Zero();             // velocity gradient of the last step [1/s]
 
     std::size_t size() const { return x.size(); }
     double area() const { return H.determinant(); }

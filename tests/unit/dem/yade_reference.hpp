@@ -1,0 +1,60 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "dem/packing.hpp"
+
+namespace sandgraph::dem::test {
+
+inline std::string yade_file(const std::string& name) { return SANDGRAPH_TEST_DATA "/yade/" + name; }
+
+// A reference CSV: '#' lines skipped, a header, rows of numbers (words become 0).
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<double>> rows;
+
+    std::size_t column(const std::string& name) const {
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            if (columns[k] == name) return k;
+        ADD_FAILURE() << "no column " << name;
+        return 0;
+    }
+    double at(std::size_t row, const std::string& name) const { return rows[row][column(name)]; }
+    Mat2 tensor(std::size_t row, const std::string& s) const {
+        return (Mat2() << at(row, s + "xx"), at(row, s + "xy"), at(row, s + "yx"), at(row, s + "yy"))
+            .finished();
+    }
+};
+
+inline double number_or_zero(const std::string& text) {
+    try {
+        return std::stod(text);
+    } catch (const std::invalid_argument&) {
+        return 0;
+    }
+}
+
+inline Table read_table(const std::string& name) {
+    std::ifstream file(yade_file(name));
+    EXPECT_TRUE(file.good()) << name;
+    Table table;
+    for (std::string line, field; std::getline(file, line);) {
+        if (line.starts_with("#")) continue;
+        std::istringstream fields(line);
+        std::vector<std::string> words;
+        while (std::getline(fields, field, ',')) words.push_back(field);
+        if (table.columns.empty()) {
+            table.columns = words;
+            continue;
+        }
+        table.rows.emplace_back();
+        for (const std::string& word : words) table.rows.back().push_back(number_or_zero(word));
+    }
+    return table;
+}
+
+}  // namespace sandgraph::dem::test
