@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "dem/assembly.hpp"
+
+namespace sandgraph::dem {
+
+// Element tests: one packing as a soil sample under uniform strain. Strains and stresses are compression
+// positive.
+
+// What is seen at one force evaluation. F [-] is the deformation gradient since the start of the test, H = F
+// H_0 the sample's periods [m] (not re-reduced). Row `step` = m belongs to the m-th force evaluation, where
+// F = (I + dt L)^(m-1) as in the YADE files: the last motion is not yet felt.
+struct ElementRow {
+    std::int64_t step = 0;
+    double time = 0;  // [s]
+    Mat2 F = Mat2::Identity(), H = Mat2::Identity();
+    Observables seen;
+};
+
+// Strain-driven test: constant velocity gradients L_ij = dv_i/dx_j [1/s] in turn.
+struct PathSegment {
+    Mat2 L = Mat2::Zero();
+    std::int64_t steps = 0;
+};
+struct PathTest {
+    std::vector<PathSegment> segments;
+    int relax_steps = 2000;  // at L = 0, before step 0
+    int sample_every = 500;  // steps
+    double dt = 1e-5;        // [s]
+};
+std::vector<ElementRow> run_path(Assembly& sample, const PathTest& test);
+
+// Isotropic compression (or decompression) to `pressure` [Pa], both normal stresses servo-controlled.
+struct IsotropicTest {
+    double pressure = 0;      // [Pa]
+    double rate = 0.1;        // largest normal strain rate [1/s]
+    double tolerance = 1e-3;  // on both normal stresses, relative
+    double modulus = 2e7;     // [Pa], see typical_modulus
+    int relax_steps = 2000;
+    int sample_every = 500;
+    double dt = 1e-5;
+    std::int64_t max_steps = 2'000'000;  // throws std::runtime_error when the pressure is not reached by then
+};
+std::vector<ElementRow> run_isotropic(Assembly& sample, const IsotropicTest& test);
+
+// Biaxial test: isotropic compression to the confining pressure, then axial shortening along y at a constant
+// velocity gradient while a servo on the width holds sigma_xx.
+struct BiaxialTest {
+    double confining_pressure = 0;  // [Pa]
+    double axial_rate = 0.1;        // -L_yy [1/s]
+    double axial_strain = 0.2;      // -ln(hyy/hyy_0) at the end
+    double sample_strain = 5e-4;    // between rows
+    double modulus = 2e7;           // [Pa], see typical_modulus
+    int relax_steps = 2000;
+    double dt = 1e-5;
+};
+struct BiaxialRow : ElementRow {
+    double axial_strain = 0;       // eps_a = -ln(hyy/hyy_0)
+    double volumetric_strain = 0;  // eps_v = -ln(A/A_0), dilation negative
+    double p = 0, q = 0;           // (syy + sxx)/2, (syy - sxx)/2 [Pa]
+    double sin_phi = 0;            // q/p
+    double inertial_number = 0;    // rate d sqrt(rho/p), d = 10 mm, rho = 2650 kg/m3
+};
+std::vector<BiaxialRow> run_biaxial(Assembly& sample, const BiaxialTest& test);
+
+// k_n/(2 h) of two mean grains [Pa]: the order of a packing's P-wave modulus; scales the servos.
+double typical_modulus(const Packing& packing, const Material& material);
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,63 @@
+#include <cmath>
+
+#include "dem/element_test_sample.hpp"
+#include "dem/element_test_servo.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+// Tuned on the dense and loose reference packings for the smallest rms error of sigma_xx.
+constexpr int servo_interval = 5;        // steps
+constexpr double servo_response = 5e-4;  // [s]
+constexpr double servo_memory = 2e-3;    // [s]
+constexpr double servo_limit = 20;       // times the axial rate
+constexpr double grain_diameter = 0.01, grain_density = 2650;
+
+void compress(Assembly& assembly, const BiaxialTest& test) {
+    IsotropicTest isotropic;
+    isotropic.pressure = test.confining_pressure;
+    isotropic.rate = test.axial_rate;
+    isotropic.modulus = test.modulus;
+    isotropic.relax_steps = test.relax_steps;
+    isotropic.dt = test.dt;
+    isotropic.sample_every = static_cast<int>(isotropic.max_steps);
+    run_isotropic(assembly, isotropic);
+}
+
+BiaxialRow biaxial_row(SampleOnStand& sample, double rate) {
+    BiaxialRow row;
+    static_cast<ElementRow&>(row) = sample.row();
+    const Mat2& s = row.seen.stress;
+    row.axial_strain = -std::log(row.F(1, 1));
+    row.volumetric_strain = -std::log(row.F.determinant());
+    row.p = 0.5 * (s(1, 1) + s(0, 0));
+    row.q = 0.5 * (s(1, 1) - s(0, 0));
+    row.sin_phi = row.p > 0 ? row.q / row.p : 0;
+    row.inertial_number = row.p > 0 ? rate * grain_diameter * std::sqrt(grain_density / row.p) : 0;
+    return row;
+}
+
+void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test) {
+    const double missing = test.confining_pressure - sample.assembly().stress()(0, 0);
+    Mat2 L = Mat2::Zero();
+    L(0, 0) = -width.rate(missing, servo_interval * test.dt);
+    L(1, 1) = -test.axial_rate;
+    sample.step(L, servo_interval);
+}
+
+}  // namespace
+
+std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test) {
+    compress(assembly, test);
+    SampleOnStand sample(assembly, test.dt);
+    StressServo width(test.modulus, servo_response, servo_memory, servo_limit * test.axial_rate);
+    std::vector<BiaxialRow> rows{biaxial_row(sample, test.axial_rate)};
+    while (rows.back().axial_strain < test.axial_strain * (1 - 1e-3)) {
+        const double next = static_cast<double>(rows.size()) * test.sample_strain;
+        while (-std::log(sample.F()(1, 1)) < next) shorten(sample, width, test);
+        rows.push_back(biaxial_row(sample, test.axial_rate));
+    }
+    return rows;
+}
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,29 @@
+#include "dem/element_test_sample.hpp"
+
+namespace sandgraph::dem {
+
+SampleOnStand::SampleOnStand(Assembly& assembly, double dt)
+    : assembly_(assembly), dt_(dt), H_0_(assembly.cell()) {}
+
+// As the cell: each step first applies the L of the step before.
+void SampleOnStand::step(const Mat2& L, int count) {
+    assembly_.step(L, dt_, count);
+    for (int k = 0; k < count; ++k) {
+        F_ += dt_ * (L_last_ * F_);
+        L_last_ = L;
+    }
+    steps_ += count;
+}
+
+ElementRow SampleOnStand::row() {
+    return {steps_, static_cast<double>(steps_) * dt_, F_, periods(), assembly_.observe()};
+}
+
+double typical_modulus(const Packing& packing, const Material& material) {
+    double sum = 0;
+    for (double r : packing.r) sum += r;
+    const double r_mean = sum / static_cast<double>(packing.size());
+    return 0.5 * material.young * r_mean / material.depth;
+}
+
+}  // namespace sandgraph::dem

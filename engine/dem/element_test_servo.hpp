@@ -1,0 +1,27 @@
+#pragma once
+#include <algorithm>
+
+#include "base/tensor.hpp"
+
+namespace sandgraph::dem {
+
+// Holds one stress component at a target by a strain rate: proportional-integral, strain and stress
+// compression positive. `modulus` [Pa] turns stress into strain, `response` [s] is the time an error takes to
+// decay, `memory` [s] the time of the integral part (0: none), `limit` [1/s] bounds the rate.
+class StressServo {
+  public:
+    StressServo(double modulus, double response, double memory, double limit)
+        : gain_(1 / (modulus * response)), memory_(memory), limit_(limit) {}
+
+    // Strain rate [1/s] for the next `interval` [s]; `missing` = target - measured stress [Pa].
+    double rate(double missing, double interval) {
+        if (memory_ > 0)
+            integral_ = std::clamp(integral_ + gain_ * missing * interval / memory_, -limit_, limit_);
+        return std::clamp(gain_ * missing + integral_, -limit_, limit_);
+    }
+
+  private:
+    double gain_, memory_, limit_, integral_ = 0;
+};
+
+}  // namespace sandgraph::dem
