@@ -1,0 +1,20 @@
+#pragma once
+#include "mpm/grid.hpp"
+
+namespace sandgraph::mpm {
+
+// mirror: roller or symmetry plane on the outermost nodes; the model behaves like one half of the mirrored
+// whole. fixed: no motion on the outermost nodes. free: nothing.
+enum class Side { free, mirror, fixed };
+
+struct Boundaries {
+    Side left = Side::free, right = Side::free, bottom = Side::free, top = Side::free;
+};
+
+// Before the update: what points gave to ghost nodes goes to the mirror image, normal components reversed.
+void fold(Field& field, const GridShape& shape, const Boundaries& boundaries);
+
+// After the update: velocity and acceleration on the sides and their ghost nodes, such that v_old + dt a = v.
+void constrain(Field& field, const GridShape& shape, const Boundaries& boundaries, double dt);
+
+}  // namespace sandgraph::mpm

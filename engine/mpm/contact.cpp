@@ -1,0 +1,66 @@
+#include "mpm/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/touch.hpp"
+
+namespace sandgraph::mpm {
+namespace {
+
+// Soil-side tangent of a face: +x on top and bottom, +y on the sides.
+double along(Face face, const Vec2& v) { return horizontal(face) ? v.x() : v.y(); }
+Vec2 tangent(Face face) { return horizontal(face) ? Vec2(1, 0) : Vec2(0, 1); }
+
+// A point that changed its face, or that did not touch, has no history.
+void remember(Contact& contact, std::size_t p, Face face) {
+    if (contact.face[p] == static_cast<std::uint8_t>(face)) return;
+    contact.face[p] = static_cast<std::uint8_t>(face);
+    contact.slip[p] = 0;
+}
+
+// Force on the soil [N/m]; slips the spring where Coulomb's limit is reached.
+Vec2 force(const RigidPlate& plate, const Touch& t, double& slip) {
+    const double limit = std::tan(plate.friction_angle) * t.penetration;
+    slip = std::clamp(slip, -limit, limit);
+    const double k = plate.stiffness * t.length;
+    return k * t.penetration * normal(t.face) - k * slip * tangent(t.face);
+}
+
+}  // namespace
+
+Contact make_contact(std::size_t points) {
+    Contact contact;
+    contact.slip.assign(points, 0.0);
+    contact.face.assign(points, 0);
+    return contact;
+}
+
+void add_contact(const RigidPlate& plate, const Points& points, const Order& order, Grid& grid,
+                 Contact& contact) {
+    contact.touches.clear();
+    contact.reaction = {};
+    for (const auto id : order.near) {
+        const Touch touch = find_touch(plate, points, id, grid);
+        const auto p = static_cast<std::size_t>(id);
+        remember(contact, p, touch.face);
+        if (touch.face == Face::none) continue;
+        const Vec2 f = force(plate, touch, contact.slip[p]);
+        spread(grid, touch.reach, f.x(), f.y());
+        contact.reaction.on[static_cast<std::size_t>(touch.face)] -= f;
+        contact.touches.push_back(touch);
+    }
+}
+
+void advance_slip(const RigidPlate& plate, const Grid& grid, double dt, Contact& contact) {
+    for (const Touch& t : contact.touches)
+        contact.slip[static_cast<std::size_t>(t.point)] +=
+            dt * along(t.face, velocity(grid, t.reach) - plate.velocity);
+}
+
+void archive(Archive& a, Contact& contact) {
+    a.field("contact/slip", contact.slip);
+    a.field("contact/face", contact.face);
+}
+
+}  // namespace sandgraph::mpm

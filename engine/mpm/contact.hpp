@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "mpm/order.hpp"
+#include "mpm/plate.hpp"
+#include "mpm/points.hpp"
+#include "mpm/reach.hpp"
+
+namespace sandgraph::mpm {
+
+enum class Face : std::uint8_t { none, top, bottom, left, right };
+
+// One point that touches the plate in this step.
+struct Touch {
+    std::int32_t point = 0;
+    Face face = Face::none;
+    double penetration = 0;  // with the rest pressure's share [m], positive
+    double length = 0;       // of the point's domain along the face [m]
+    Reach reach;             // nodes that carry the force
+};
+
+// Force of the soil on each face of the plate [N/m], by Face. Penalty forces only: no damping enters.
+struct Reaction {
+    Vec2 on[5] = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+    Vec2 face(Face f) const { return on[static_cast<std::size_t>(f)]; }
+    Vec2 total() const { return on[1] + on[2] + on[3] + on[4]; }
+};
+
+// Weak-form penalty contact between the points' domains and the plate: pressure k_a times penetration, never
+// tension; elastic-frictional shear k_a times slip, limited by tan(friction) times the pressure.
+struct Contact {
+    std::vector<double> slip;        // by point id: elastic slip of the soil along its face [m]
+    std::vector<std::uint8_t> face;  // by point id: the Face it touched last step
+    std::vector<Touch> touches;      // of this step, by id
+    Reaction reaction;               // of this step
+};
+
+Contact make_contact(std::size_t points);
+
+// Finds the touching points among order.near and adds their forces to the grid AT THE CONTACT: hat functions
+// on the domain's edge, averaged over the touching length. Uniform GIMP ends its internal force there, so
+// that a point under uniform stress balances the plate wherever the grid lies. After points_to_grid, before
+// update_grid.
+void add_contact(const RigidPlate& plate, const Points& points, const Order& order, Grid& grid,
+                 Contact& contact);
+
+// Slip of this step, from the velocity of the soil at the contact (grid) against the plate's. After
+// update_grid.
+void advance_slip(const RigidPlate& plate, const Grid& grid, double dt, Contact& contact);
+
+void archive(Archive& a, Contact& contact);
+
+}  // namespace sandgraph::mpm

@@ -1,0 +1,48 @@
+#include "mpm/grid_to_points.hpp"
+
+#include <atomic>
+
+#include "mpm/parallel_bands.hpp"
+#include "mpm/two_field.hpp"
+
+namespace sandgraph::mpm {
+namespace {
+
+// Whether a point of the band is in another band now, or outside the grid.
+bool moved_on(std::span<const std::int32_t> ids, const Points& points, const GridShape& shape) {
+    const int here = band_of(base_row(shape, points.half, points.y[static_cast<std::size_t>(ids[0])]));
+    const double low = here * band_rows - 1, high = low + band_rows;
+    bool moved = false;
+    for (const auto id : ids) {
+        const auto p = static_cast<std::size_t>(id);
+        const double row = base_row(shape, points.half, points.y[p]);
+        moved |= !(row >= low) | !(row < high) | !shape.contains(points.x[p], points.y[p]);
+    }
+    return moved;
+}
+
+Status count_outside(const Points& points, const GridShape& shape) {
+    Status status;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (shape.contains(points.x[p], points.y[p])) continue;
+        if (status.outside++ == 0) status.first = static_cast<std::int32_t>(p);
+    }
+    return status;
+}
+
+}  // namespace
+
+Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Points& points) {
+    std::atomic<bool> moved = false;
+    const Motion* const motion = grid.fields[0].motion.data();
+    for_bands(order, 0, 1, [&](std::span<const std::int32_t> ids) {
+        gather(ids, grid.shape, motion, advance, points);
+        if (moved_on(ids, points, grid.shape)) moved.store(true, std::memory_order_relaxed);
+    });
+    gather_divided(order.near, grid, advance, points);
+    if (!order.near.empty() && moved_on(order.near, points, grid.shape)) moved = true;
+    order.stale = moved;
+    return moved ? count_outside(points, grid.shape) : Status{};
+}
+
+}  // namespace sandgraph::mpm

@@ -1,0 +1,20 @@
+#pragma once
+#include "mpm/grid.hpp"
+#include "mpm/order.hpp"
+#include "mpm/points.hpp"
+#include "mpm/transfer_kernel.hpp"
+
+namespace sandgraph::mpm {
+
+// What the caller must look at: with `outside` > 0 the next refresh of the order throws.
+struct Status {
+    int outside = 0;          // points that left the grid
+    std::int32_t first = -1;  // the smallest id among them
+    bool good() const { return outside == 0; }
+};
+
+// v_p = (1 - c)(v_p + dt sum_i S_ip a_i) + c sum_i S_ip v_i  (FLIP with a share c of PIC; v_i after the
+// update), x_p += dt sum_i S_ip v_i,  F_inc = I + dt sum_i v_i (x) grad S_ip,  F = F_inc F,  V = V0 det F.
+Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Points& points);
+
+}  // namespace sandgraph::mpm

@@ -1,0 +1,56 @@
+#include "mpm/grid_update.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace sandgraph::mpm {
+namespace {
+
+// Lighter nodes are at rest: a weight of 1e-14 is round-off of a point's reach, its velocity would be noise.
+constexpr double mass_floor = 1e-14;
+
+struct Factors {
+    double dt, gx, gy, damping, per_scaling, floor;
+};
+
+Motion moved(const Node& n, const Factors& k) {
+    if (n.mass <= k.floor) return {};
+    const double per_mass = 1 / n.mass, vx = n.px * per_mass, vy = n.py * per_mass;
+    const double fx = n.fx + n.mass * k.gx, fy = n.fy + n.mass * k.gy;
+    const double dx = vx != 0 ? std::copysign(k.damping * std::fabs(fx), vx) : 0;
+    const double dy = vy != 0 ? std::copysign(k.damping * std::fabs(fy), vy) : 0;
+    const double ax = (fx - dx) * per_mass * k.per_scaling, ay = (fy - dy) * per_mass * k.per_scaling;
+    return {vx + k.dt * ax, vy + k.dt * ay, ax, ay};
+}
+
+void move_rows(Field& field, const GridShape& shape, const Factors& k, int from, int to) {
+    for (int j = from; j < to; ++j) {
+        const std::size_t first = shape.index(field.box.i0, j), last = shape.index(field.box.i1, j);
+        for (std::size_t n = first; n <= last; ++n) field.motion[n] = moved(field.nodes[n], k);
+    }
+}
+
+void update_field(const GridStep& step, const GridShape& shape, const Factors& k, Field& field) {
+    const NodeBox& box = field.box;
+    if (box.empty()) return;
+    fold(field, shape, step.boundaries);
+    constexpr int rows = 16;
+    if ((box.j1 - box.j0) * (box.i1 - box.i0) < 4000)
+        move_rows(field, shape, k, box.j0, box.j1 + 1);
+    else
+        oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(box.j0, box.j1 + 1, rows),
+                                  [&](const auto& r) { move_rows(field, shape, k, r.begin(), r.end()); });
+    constrain(field, shape, step.boundaries, step.dt);
+}
+
+}  // namespace
+
+void update_grid(const GridStep& step, Grid& grid) {
+    const Factors k = {step.dt,      step.gravity.x(),      step.gravity.y(),
+                       step.damping, 1 / step.mass_scaling, mass_floor * grid.point_mass};
+    for (Field& field : grid.fields) update_field(step, grid.shape, k, field);
+}
+
+}  // namespace sandgraph::mpm

@@ -1,0 +1,19 @@
+#pragma once
+#include "mpm/boundary.hpp"
+#include "mpm/grid.hpp"
+
+namespace sandgraph::mpm {
+
+struct GridStep {
+    double dt = 0;                // [s]
+    Vec2 gravity = Vec2::Zero();  // [m/s2]
+    double damping = 0;           // local (Cundall): alpha in f -= alpha |f| sign(v)
+    double mass_scaling = 1;      // multiplies inertia, not weight
+    Boundaries boundaries;
+};
+
+// v = p/m, f += m g, f -= alpha |f| sign(v) by component, a = f/(s m), v += dt a, then the boundaries.
+// Contact and surcharge forces are in f already, so that damping sees the unbalanced force alone.
+void update_grid(const GridStep& step, Grid& grid);
+
+}  // namespace sandgraph::mpm

@@ -1,0 +1,46 @@
+#include "mpm/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandgraph::mpm {
+namespace {
+
+bool in_cavity(const Layout& layout, double x, double y) {
+    return std::any_of(layout.cavities.begin(), layout.cavities.end(),
+                       [&](const Rectangle& r) { return r.contains(x, y); });
+}
+
+void add_row(const Layout& layout, Points& points, double y, std::int32_t row) {
+    const Rectangle& g = layout.ground;
+    const double spacing = 2 * points.half;
+    const auto columns = std::lround((g.x1 - g.x0) / spacing);
+    for (long k = 0; k < columns; ++k) {
+        const double x = g.x0 + (static_cast<double>(k) + 0.5) * spacing;
+        if (in_cavity(layout, x, y)) continue;
+        if (row == 0) points.surface.push_back(static_cast<std::int32_t>(points.x.size()));
+        points.x.push_back(x);
+        points.y.push_back(y);
+        points.row.push_back(row);
+    }
+}
+
+}  // namespace
+
+Points lay_out(const Layout& layout) {
+    Points points;
+    points.half = 0.5 * layout.cell / std::sqrt(static_cast<double>(layout.points_per_cell));
+    const double spacing = 2 * points.half;
+    const auto rows = std::lround((layout.ground.y1 - layout.ground.y0) / spacing);
+    for (long k = 0; k < rows; ++k) {
+        const double y = layout.ground.y0 + (static_cast<double>(k) + 0.5) * spacing;
+        add_row(layout, points, y, static_cast<std::int32_t>(rows - 1 - k));
+    }
+    resize(points, points.x.size());
+    std::fill(points.volume0.begin(), points.volume0.end(), spacing * spacing);
+    points.volume = points.volume0;
+    std::fill(points.mass.begin(), points.mass.end(), layout.density * spacing * spacing);
+    return points;
+}
+
+}  // namespace sandgraph::mpm

@@ -1,0 +1,29 @@
+#include "mpm/plate.hpp"
+
+namespace sandgraph::mpm {
+
+Divide divide_of(const RigidPlate& plate) {
+    const bool along_x = plate.half_width >= plate.half_height;
+    const double middle = along_x ? plate.x : plate.y, half = along_x ? plate.half_width : plate.half_height;
+    return {true,          along_x,       along_x ? plate.y : plate.x,
+            middle - half, middle + half, along_x ? plate.half_height : plate.half_width};
+}
+
+void advance(RigidPlate& plate, double dt) {
+    plate.x += dt * plate.velocity.x();
+    plate.y += dt * plate.velocity.y();
+}
+
+void archive(Archive& a, RigidPlate& plate) {
+    RestPressure& r = plate.rest;
+    double* const values[] = {
+        &plate.x,           &plate.y,           &plate.half_width,     &plate.half_height,
+        &plate.velocity[0], &plate.velocity[1], &plate.friction_angle, &plate.stiffness,
+        &r.vertical,        &r.horizontal,      &r.vertical_gradient,  &r.horizontal_gradient};
+    std::vector<double> flat;
+    for (const double* v : values) flat.push_back(*v);
+    a.field("plate/state", flat);
+    for (std::size_t k = 0; k < std::size(values); ++k) *values[k] = flat.at(k);
+}
+
+}  // namespace sandgraph::mpm

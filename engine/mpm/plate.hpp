@@ -1,0 +1,40 @@
+#pragma once
+#include "base/archive.hpp"
+#include "base/tensor.hpp"
+#include "mpm/divide.hpp"
+#include "mpm/rectangle.hpp"
+
+namespace sandgraph::mpm {
+
+// Pressure of the ground on the plate at rest, linear with depth [Pa], compression positive. The plate's
+// faces are moved out by p0/k_a, so that the pull starts from equilibrium.
+struct RestPressure {
+    double vertical = 0, horizontal = 0;                    // at the plate's centre [Pa]
+    double vertical_gradient = 0, horizontal_gradient = 0;  // d/d(depth) [Pa/m]
+};
+
+// A rigid rectangle with prescribed velocity, per metre out of plane.
+struct RigidPlate {
+    double x = 0, y = 0;                     // centre [m]
+    double half_width = 0, half_height = 0;  // [m]
+    Vec2 velocity = Vec2::Zero();            // [m/s]
+    double friction_angle = 0;               // plate-soil [rad]; pi/2: perfectly rough
+    double stiffness = 0;                    // k_a [Pa/m]: pressure per penetration
+    RestPressure rest;
+
+    Rectangle rectangle() const { return {x - half_width, y - half_height, x + half_width, y + half_height}; }
+};
+
+// k_a = factor M / cell [Pa/m], M: P-wave modulus of the ground [Pa].
+inline double contact_stiffness(double factor, double p_wave_modulus, double cell) {
+    return factor * p_wave_modulus / cell;
+}
+
+// The mid-plane along the plate's long side.
+Divide divide_of(const RigidPlate& plate);
+
+// Moves the centre by dt velocity.
+void advance(RigidPlate& plate, double dt);
+void archive(Archive& a, RigidPlate& plate);
+
+}  // namespace sandgraph::mpm

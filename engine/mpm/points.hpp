@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "base/tensor.hpp"
+
+namespace sandgraph::mpm {
+
+// Material points by id (ids never change; other code owns slots by id). Per metre out of plane.
+// Every domain is the square [x - half, x + half] x [y - half, y + half] (uniform GIMP).
+struct Points {
+    double half = 0;              // half side of a domain, lp [m]; at most half a cell
+    std::vector<double> x, y;     // [m]
+    std::vector<double> vx, vy;   // [m/s]
+    std::vector<double> mass;     // [kg/m]; inertia is mass times the mass scaling of the grid update
+    std::vector<double> volume0;  // initial volume [m2]
+    std::vector<double> volume;   // V = V0 det F [m2]
+    std::vector<Mat2> F;          // deformation gradient
+    std::vector<Mat2> F_inc;      // I + dt L of the last step; F = F_inc F_old
+    std::vector<Stress>
+        stress;  // Cauchy [Pa], tension positive; written by the material law between two steps
+    std::vector<std::int32_t> row;      // depth row, 0 at the surface
+    std::vector<std::int32_t> surface;  // ids of the points that carry the surcharge
+
+    std::size_t size() const { return x.size(); }
+};
+
+// Points at rest and unstrained; x, y set by the caller.
+void resize(Points& points, std::size_t count);
+void archive(Archive& a, Points& points);
+
+}  // namespace sandgraph::mpm

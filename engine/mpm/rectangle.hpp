@@ -1,0 +1,14 @@
+#pragma once
+
+namespace sandgraph::mpm {
+
+struct Rectangle {
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // [m]
+    bool contains(double x, double y) const { return x > x0 && x < x1 && y > y0 && y < y1; }
+};
+
+inline Rectangle inflated(const Rectangle& r, double by) {
+    return {r.x0 - by, r.y0 - by, r.x1 + by, r.y1 + by};
+}
+
+}  // namespace sandgraph::mpm

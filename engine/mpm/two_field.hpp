@@ -1,0 +1,19 @@
+#pragma once
+#include <span>
+
+#include "mpm/grid.hpp"
+#include "mpm/points.hpp"
+#include "mpm/transfer_kernel.hpp"
+
+namespace sandgraph::mpm {
+
+// Moves the cut with the plate and sizes the second field around it. Before the points' order is refreshed.
+void set_divide(Grid& grid, const Divide& divide);
+
+// The transfers of transfer_kernel.hpp for the few points near the divide, each node in its field; in id
+// order.
+void scatter_divided(std::span<const std::int32_t> ids, const Points& points, Grid& grid);
+void gather_divided(std::span<const std::int32_t> ids, const Grid& grid, const Advance& advance,
+                    Points& points);
+
+}  // namespace sandgraph::mpm
