@@ -1,0 +1,67 @@
+#include "io/info.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/h5_attribute.hpp"
+#include "io/h5_dataset.hpp"
+#include "io/h5_file.hpp"
+#include "io/seal.hpp"
+
+namespace sandgraph::io {
+namespace {
+
+constexpr std::size_t longest_text = 60;
+
+std::string quoted(const std::string& text) {
+    const std::size_t line = text.find('\n');
+    if (line == std::string::npos && text.size() <= longest_text) return fmt::format("\"{}\"", text);
+    return fmt::format("\"{}...\" ({} characters)", text.substr(0, std::min(line, longest_text)),
+                       text.size());
+}
+
+std::string shown(const h5::Value& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+    return fmt::format("{}", std::get<double>(value));
+}
+
+std::string dataset_line(const h5::Group& group, const std::string& name, const std::string& indent) {
+    std::string shape;
+    for (const std::size_t n : h5::shape(group, name))
+        shape += fmt::format("{}{}", shape.empty() ? "" : " x ", n);
+    std::string line = fmt::format("{}{:<18} {} ({})", indent, name, h5::type_name(group, name), shape);
+    if (h5::has_attribute(group, name, "unit"))
+        line += fmt::format(" [{}]", h5::get_text(group, name, "unit"));
+    return line + "\n";
+}
+
+std::string tree(const h5::Group& group, const std::string& indent) {
+    std::string text;
+    for (const h5::Attribute& a : h5::attributes(group, "."))
+        text += fmt::format("{}{} = {}\n", indent, a.name, shown(a.value));
+    for (const std::string& name : group.names()) {
+        const h5::Kind kind = group.kind(name);
+        if (kind == h5::Kind::dataset) text += dataset_line(group, name, indent);
+        if (kind == h5::Kind::group)
+            text += fmt::format("{}{}/\n", indent, name) + tree(group.open(name), indent + "  ");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string info(const std::filesystem::path& path) {
+    const h5::File file = h5::File::open(path);
+    const h5::Group root = file.root();
+    std::string text = path.string() + "\n";
+    if (h5::has_attribute(root, ".", "content") && h5::get_text(root, ".", "content") == "checkpoint") {
+        if (const auto problem = broken_seal(path))
+            throw InputError({path.string()}, "the checkpoint is damaged", *problem,
+                             "use the one before it, *.prev");
+        text += "  checksum verified\n";
+    }
+    return text + tree(root, "  ");
+}
+
+}  // namespace sandgraph::io

@@ -1,0 +1,12 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace sandgraph::io {
+
+// What is in an HDF5 file, as text for people: content and schema, then groups, datasets with type, shape and
+// unit, and attributes; long texts are shortened. A checkpoint's checksum is verified. InputError when the
+// file is missing, foreign or damaged.
+std::string info(const std::filesystem::path& path);
+
+}  // namespace sandgraph::io

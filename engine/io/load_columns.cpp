@@ -1,0 +1,38 @@
+#include "io/load_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace sandgraph::io {
+namespace {
+
+constexpr std::array<LoadColumn, 9> columns{{
+    {"d_over_B", "d_over_B", "-", &LoadRow::d_over_B},
+    {"load", "load_N_per_m", "N/m", &LoadRow::load},
+    {"top", "top_N_per_m", "N/m", &LoadRow::top},
+    {"bottom", "bottom_N_per_m", "N/m", &LoadRow::bottom},
+    {"time", "time_s", "s", &LoadRow::time},
+    {"kinetic_energy", "kinetic_energy_J_per_m", "J/m", &LoadRow::kinetic_energy},
+    {"strain_work", "strain_work_J_per_m", "J/m", &LoadRow::strain_work},
+    {"rve_active", "rve_active", "-", &LoadRow::rve_active},
+    {"dem_steps", "dem_steps", "-", &LoadRow::dem_steps},
+}};
+
+}  // namespace
+
+std::span<const LoadColumn> load_columns() { return columns; }
+
+std::string load_csv_header() {
+    std::string text;
+    for (const LoadColumn& c : columns) text += fmt::format("{}{}", text.empty() ? "" : ",", c.header);
+    return text;
+}
+
+std::string load_csv_line(const LoadRow& row) {
+    std::string text;
+    for (const LoadColumn& c : columns) text += fmt::format("{}{}", text.empty() ? "" : ",", row.*c.member);
+    return text;
+}
+
+}  // namespace sandgraph::io

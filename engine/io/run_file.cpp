@@ -1,0 +1,108 @@
+#include "io/run_file.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/checkpoint.hpp"
+#include "io/frame_group.hpp"
+#include "io/h5_file.hpp"
+#include "io/xdmf.hpp"
+
+namespace sandgraph::io {
+namespace fs = std::filesystem;
+namespace {
+
+void remove_stale(const fs::path& folder) {
+    const fs::path checkpoint = folder / checkpoint_name;
+    for (const fs::path& path : {checkpoint, previous_checkpoint(checkpoint), folder / "run.h5",
+                                 folder / "summary.json", folder / "fields.xdmf"})
+        fs::remove(path);
+}
+
+void copy_frames(const fs::path& from, h5::Group& to, std::size_t count) {
+    if (count == 0) return;
+    const h5::File file = h5::File::open(from);
+    const h5::Group source = file.root().open("frames");
+    for (std::size_t k = 0; k < count; ++k) to.copy_from(source, frame_name(k));
+}
+
+std::int64_t archived_count(Archive& a, std::string_view name, std::size_t count) {
+    std::vector<std::int64_t> value{static_cast<std::int64_t>(count)};
+    a.field(name, value);
+    return value.empty() ? -1 : value.front();
+}
+
+}  // namespace
+
+RunFile::RunFile(fs::path folder, RunRecord record)
+    : folder_(std::move(folder)), record_(std::move(record)), csv_(folder_ / "load.csv", record_.load) {}
+
+RunFile RunFile::create(const fs::path& folder, const RunInfo& info) {
+    fs::create_directories(folder);
+    remove_stale(folder);
+    RunFile run(folder, {info, {}, {}, {}, 0});
+    run.commit();
+    return run;
+}
+
+RunFile RunFile::resume(const fs::path& folder, const RunInfo& info) {
+    RunRecord record = read_run(folder / "run.h5");
+    if (record.info.scene_hash != info.scene_hash)
+        throw InputError({(folder / "run.h5").string()}, "the folder holds a run of another scene",
+                         fmt::format("scene hash {} instead of {}", record.info.scene_hash, info.scene_hash),
+                         "resume with the unchanged scene, or start anew in another folder");
+    record.info = info;
+    return RunFile(folder, std::move(record));
+}
+
+fs::path RunFile::path() const { return folder_ / "run.h5"; }
+
+void RunFile::append(const LoadRow& row) {
+    record_.load.push_back(row);
+    csv_.append(row);
+}
+
+void RunFile::append(const Frame& frame) {
+    pending_.push_back(frame);
+    commit();
+}
+
+void RunFile::commit() {
+    AtomicFile target(path());
+    h5::File file = h5::File::create(target.temporary());
+    write_run_groups(file.root(), record_);
+    h5::Group frames = file.root().open("frames");
+    copy_frames(path(), frames, record_.frames);
+    for (std::size_t k = 0; k < pending_.size(); ++k)
+        write_frame(frames.create(frame_name(record_.frames + k)), pending_[k]);
+    file.close();
+    target.commit();
+    record_.frames += pending_.size();
+    pending_.clear();
+    write_xdmf(folder_ / "fields.xdmf", path());
+}
+
+void RunFile::archive(Archive& a) {
+    if (!a.reading()) commit();
+    const std::int64_t rows = archived_count(a, "run/load_rows", record_.load.size());
+    const std::int64_t frames = archived_count(a, "run/frames", record_.frames);
+    if (!a.reading()) return;
+    if (rows < 0 || frames < 0)
+        throw InputError({path().string()}, "the checkpoint is damaged", "negative count", "start anew");
+    cut_back(static_cast<std::size_t>(rows), static_cast<std::size_t>(frames));
+}
+
+void RunFile::cut_back(std::size_t rows, std::size_t frames) {
+    if (rows > record_.load.size() || frames > record_.frames)
+        throw InputError({path().string()}, "run.h5 ends before the checkpoint",
+                         fmt::format("{} load rows and {} frames, {} and {} needed", record_.load.size(),
+                                     record_.frames, rows, frames),
+                         "start the run anew, without --resume");
+    record_.load.resize(rows);
+    record_.frames = frames;
+    commit();
+    csv_ = LoadCsv(folder_ / "load.csv", record_.load);
+}
+
+}  // namespace sandgraph::io

@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "io/load_csv.hpp"
+#include "io/run_record.hpp"
+
+namespace sandgraph::io {
+
+// The growing outputs of a run folder: run.h5, load.csv, fields.xdmf. HDF5 cannot survive a kill in
+// mid-write, so run.h5 is never edited in place: commit() assembles run.h5.tmp (frames on disk are copied
+// over raw), brings it to the disk and renames it. Whenever the run is killed, run.h5 is the whole file of
+// the last commit and load.csv has every row.
+class RunFile {
+  public:
+    // A new run; call it only when all input is checked. Outputs of an earlier run in the folder are
+    // replaced.
+    static RunFile create(const std::filesystem::path& folder, const RunInfo& info);
+    // Goes on with the run in the folder; archive() with the checkpoint's reader must follow. InputError when
+    // its scene is another.
+    static RunFile resume(const std::filesystem::path& folder, const RunInfo& info);
+
+    void append(const LoadRow& row);  // to load.csv at once, to run.h5 at the next commit
+    void append(const Frame& frame);  // commits
+    void set_timing(const std::string& phase, double seconds) { record_.timing[phase] = seconds; }
+    void set_counter(const std::string& name, double value) { record_.counters[name] = value; }
+    void commit();
+
+    // Writing a checkpoint: commits and notes the lengths of load series and frames. Reading: cuts both back
+    // to the checkpoint's moment, so that a resumed run ends with the outputs of an uninterrupted one.
+    void archive(Archive& a);
+
+    const RunRecord& record() const { return record_; }
+    std::filesystem::path path() const;  // of run.h5
+
+  private:
+    RunFile(std::filesystem::path folder, RunRecord record);
+    void cut_back(std::size_t rows, std::size_t frames);
+
+    std::filesystem::path folder_;
+    RunRecord record_;
+    std::vector<Frame> pending_;  // not yet in run.h5
+    LoadCsv csv_;
+};
+
+}  // namespace sandgraph::io

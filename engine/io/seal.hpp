@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace sandgraph::io {
+
+// A checkpoint's HDF5 user block holds the length and a 64-bit hash of all bytes behind it, so that damage to
+// data *and* metadata shows before HDF5 parses a byte (its own checksums cover only chunked data).
+inline constexpr unsigned seal_size = 512;
+
+void seal(const std::filesystem::path& path);
+
+// Why the file is not as it was sealed; empty when it is.
+std::optional<std::string> broken_seal(const std::filesystem::path& path);
+
+}  // namespace sandgraph::io
