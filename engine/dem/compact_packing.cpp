@@ -1,0 +1,92 @@
+#include "dem/compact_packing.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "dem/fast_packing.hpp"
+#include "dem/neighbour_list.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+std::shared_ptr<const GrainSet> grain_set(const FastState& s) {
+    auto set = std::make_shared<GrainSet>();
+    for (int g = 0; g < s.grains; ++g) {
+        const double r = s.b[4 * g];
+        set->radius.push_back(r);
+        set->inverse_mass.push_back(s.inverse_mass[g]);
+        set->inverse_inertia.push_back(s.inverse_inertia[g]);
+        set->solid_area += std::numbers::pi * r * r;
+        set->radius_max = std::max(set->radius_max, r);
+        set->mean_diameter += 2 * r / s.grains;
+    }
+    return set;
+}
+
+void unpack_grains(const CompactPacking& p, FastState& s) {
+    const GrainSet& set = *p.grains;
+    const int n = static_cast<int>(set.radius.size());
+    if (s.grains != n) resize_grains(s, n);
+    for (int g = 0; g < n; ++g) {
+        const double *m = &p.motion[5 * g], r = set.radius[g];
+        double *a = &s.a[4 * g], *b = &s.b[4 * g];
+        a[0] = m[0], a[1] = m[1], a[2] = m[2], a[3] = m[3];
+        b[0] = b[3] = r, b[1] = r * m[4], b[2] = m[4];
+    }
+    std::copy(set.inverse_mass.begin(), set.inverse_mass.end(), s.inverse_mass.begin());
+    std::copy(set.inverse_inertia.begin(), set.inverse_inertia.end(), s.inverse_inertia.begin());
+    place_padding_grains(s);
+}
+
+}  // namespace
+
+std::size_t CompactPacking::bytes() const {
+    return sizeof *this + 8 * (motion.capacity() + tangential.capacity() + moment.capacity()) +
+           2 * (i.capacity() + j.capacity()) + image.capacity();
+}
+
+std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Material& material,
+                                              const Mat2& stress) {
+    FastState state;
+    load(packing, material, state);
+    NeighbourList neighbours;
+    neighbours.relist(state, packing.contacts);
+    auto out = std::make_shared<CompactPacking>();
+    out->grains = grain_set(state);
+    pack(state, *out);
+    out->stress = stress;
+    return out;
+}
+
+void unpack(const CompactPacking& p, FastState& s) {
+    unpack_grains(p, s);
+    s.pairs = p.pairs, s.slots = static_cast<int>(p.i.size());
+    s.i.assign(p.i.begin(), p.i.end()), s.j.assign(p.j.begin(), p.j.end());
+    s.image.assign(p.image.begin(), p.image.end());
+    s.tangential.assign(p.tangential.begin(), p.tangential.end());
+    s.moment.assign(p.moment.begin(), p.moment.end());
+    s.H = p.H, s.L = p.L, s.H_force = p.H_force, s.LH = p.LH, s.approach = p.approach;
+}
+
+void pack(const FastState& s, CompactPacking& p) {
+    p.motion.resize(5 * s.grains);
+    for (int g = 0; g < s.grains; ++g) {
+        double* m = &p.motion[5 * g];
+        std::copy_n(&s.a[4 * g], 4, m);
+        m[4] = s.b[4 * g + 2];
+    }
+    p.i.assign(s.i.begin(), s.i.end()), p.j.assign(s.j.begin(), s.j.end());
+    p.image.assign(s.image.begin(), s.image.end());
+    p.tangential.assign(s.tangential.begin(), s.tangential.end());
+    p.moment.assign(s.moment.begin(), s.moment.end());
+    p.pairs = s.pairs;
+    p.H = s.H, p.L = s.L, p.H_force = s.H_force, p.LH = s.LH, p.approach = s.approach;
+}
+
+Packing to_packing(const CompactPacking& p) {
+    FastState state;
+    unpack(p, state);
+    return unload(state);
+}
+
+}  // namespace sandgraph::dem

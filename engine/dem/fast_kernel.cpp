@@ -1,0 +1,59 @@
+#include "dem/fast_kernel.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dem/fast_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "dem/fast_forces-inl.hpp"
+#include "dem/fast_motion-inl.hpp"
+
+#if HWY_ONCE
+namespace sandgraph::dem {
+
+HWY_EXPORT(ContactForces);
+HWY_EXPORT(ContactForcesAndStress);
+HWY_EXPORT(Kick);
+HWY_EXPORT(KickDrift);
+HWY_EXPORT(Drift);
+HWY_EXPORT(TargetName);
+
+namespace {
+
+// The cell moves with the grains: H <- (I + dt L) H.
+void move_cell(FastState& s, const Mat2& L, double dt) {
+    s.LH = L * s.H;
+    s.H += dt * s.LH;
+    s.L = L;
+}
+
+}  // namespace
+
+void contact_forces(FastState& state, const KernelConstants& k, double dt, double* moment_sum) {
+    state.H_force = state.H;
+    if (moment_sum)
+        HWY_DYNAMIC_DISPATCH(ContactForcesAndStress)(state, k, dt, moment_sum);
+    else
+        HWY_DYNAMIC_DISPATCH(ContactForces)(state, k, dt);
+}
+
+double kick(FastState& state, const KernelConstants& k, double dt) {
+    return HWY_DYNAMIC_DISPATCH(Kick)(state, k, dt);
+}
+
+double kick_drift(FastState& state, const KernelConstants& k, const Mat2& L, double dt) {
+    const double speed2 = HWY_DYNAMIC_DISPATCH(KickDrift)(state, k, L, dt);
+    move_cell(state, L, dt);
+    return speed2;
+}
+
+double drift(FastState& state, const Mat2& L, double dt) {
+    const double speed2 = HWY_DYNAMIC_DISPATCH(Drift)(state, L, dt);
+    move_cell(state, L, dt);
+    return speed2;
+}
+
+std::string kernel_target() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
+
+}  // namespace sandgraph::dem
+#endif

@@ -1,0 +1,71 @@
+#include "dem/fast_packing.hpp"
+
+#include <numbers>
+#include <stdexcept>
+
+namespace sandgraph::dem {
+namespace {
+
+constexpr int kLargest = 65000;  // pairs address grains with 16 bits
+
+void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
+    const double mass = m.density * m.depth * std::numbers::pi * p.r[g] * p.r[g];
+    const double spin = p.spin.empty() ? 0 : p.spin[g];
+    double* a = &s.a[4 * g];
+    a[0] = p.x[g], a[1] = p.y[g];
+    a[2] = p.vx.empty() ? 0 : p.vx[g], a[3] = p.vy.empty() ? 0 : p.vy[g];
+    double* b = &s.b[4 * g];
+    b[0] = b[3] = p.r[g], b[1] = p.r[g] * spin, b[2] = spin;
+    s.inverse_mass[g] = 1 / mass;
+    s.inverse_inertia[g] = 2 / (mass * p.r[g] * p.r[g]);
+}
+
+}  // namespace
+
+void resize_grains(FastState& s, int n) {
+    const int room = padded(n + 2);
+    s.grains = n;
+    s.a.assign(4 * room, 0), s.b.assign(4 * room, 0), s.force.assign(4 * room, 0);
+    s.inverse_mass.assign(room, 0), s.inverse_inertia.assign(room, 0);
+}
+
+void place_padding_grains(FastState& s) {
+    for (int k = 0; k < 2; ++k) {
+        double *a = &s.a[4 * (s.grains + k)], *b = &s.b[4 * (s.grains + k)];
+        a[0] = k, a[1] = a[2] = a[3] = 0;
+        b[0] = b[3] = 1e-3, b[1] = b[2] = 0;
+    }
+}
+
+void load(const Packing& p, const Material& material, FastState& s) {
+    const int n = static_cast<int>(p.size());
+    if (n > kLargest) throw std::invalid_argument("the fast kernel takes at most 65,000 grains a packing");
+    resize_grains(s, n);
+    for (int g = 0; g < n; ++g) load_grain(p, material, g, s);
+    place_padding_grains(s);
+    s.H = s.H_force = p.H, s.L = p.L, s.LH = p.L * p.H;
+    s.pairs = s.slots = 0;
+}
+
+void contact_history(const FastState& s, std::vector<Contact>& out) {
+    out.clear();
+    for (int c = 0; c < s.slots; ++c) {
+        if (s.tangential[c] == 0 && s.moment[c] == 0) continue;
+        out.push_back({s.i[c], s.j[c], std::int16_t(s.image[c] / 3 - 1), std::int16_t(s.image[c] % 3 - 1),
+                       s.tangential[c], s.moment[c]});
+    }
+}
+
+Packing unload(const FastState& s) {
+    Packing p;
+    p.H = s.H, p.L = s.L;
+    for (int g = 0; g < s.grains; ++g) {
+        p.x.push_back(s.a[4 * g]), p.y.push_back(s.a[4 * g + 1]);
+        p.vx.push_back(s.a[4 * g + 2]), p.vy.push_back(s.a[4 * g + 3]);
+        p.r.push_back(s.b[4 * g]), p.spin.push_back(s.b[4 * g + 2]);
+    }
+    contact_history(s, p.contacts);
+    return p;
+}
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "dem/fast_state.hpp"
+#include "dem/packing.hpp"
+
+namespace sandgraph::dem {
+
+// Packing -> working state with an empty pair list (NeighbourList::relist fills it from packing.contacts).
+// Throws std::invalid_argument when the packing has more grains than a pair can address.
+void load(const Packing& packing, const Material& material, FastState& state);
+
+// The pairs that hold a force, i.e. what a packing must remember.
+void contact_history(const FastState& state, std::vector<Contact>& out);
+
+// Working state -> packing.
+Packing unload(const FastState& state);
+
+// Room for n grains and the two padding grains: a metre apart, so that the pairs that fill up the last lanes
+// of the pair loop never touch.
+void resize_grains(FastState& state, int n);
+void place_padding_grains(FastState& state);
+
+constexpr int padded(int n) { return (n + FastState::kLanes - 1) / FastState::kLanes * FastState::kLanes; }
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,45 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "base/tensor.hpp"
+#include "dem/aligned.hpp"
+#include "dem/material.hpp"
+
+namespace sandgraph::dem {
+
+// Working state of the fast kernel for one packing. Grains are kept as two records of four, so that a pair
+// costs four loads and one subtraction of whole records: A = (x, y, vx, vy), B = (r, r w, w, r).
+struct FastState {
+    static constexpr int kLanes = 8;  // arrays are padded to this many grains or pairs
+
+    int grains = 0;                                 // N
+    Aligned<double> a, b;                           // [4 (N + pad)]
+    Aligned<double> inverse_mass, inverse_inertia;  // [N + pad]; padding grains have 0
+    Aligned<double> force;                          // [4 (N + pad)]: fx, fy, and the torque in two parts
+
+    int pairs = 0;                       // near pairs, padded to a multiple of kLanes
+    int slots = 0;                       // padded number of pairs
+    Aligned<std::uint16_t> i, j;         // [slots]
+    Aligned<std::uint8_t> image;         // [slots] 3 (cell_x + 1) + (cell_y + 1)
+    Aligned<double> tangential, moment;  // [slots] contact history [N], [N m]
+
+    Mat2 H = Mat2::Identity();        // cell now (moved together with the grains)
+    Mat2 L = Mat2::Zero();            // velocity gradient of the last drift
+    Mat2 H_force = Mat2::Identity();  // cell and L H_old at the last force evaluation
+    Mat2 LH = Mat2::Zero();
+
+    // Since the last neighbour search: bound on how much closer any two grains came [m].
+    double approach = 0;
+};
+
+// Contact constants in the form the kernel wants.
+struct KernelConstants {
+    double young, stiffness_ratio, friction, rolling_stiffness, rolling_limit, damping;
+};
+inline KernelConstants kernel_constants(const Material& m) {
+    return {m.young,         m.stiffness_ratio, std::tan(m.friction_angle), m.rolling_stiffness,
+            m.rolling_limit, m.damping};
+}
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/tensor.hpp"
+
+namespace sandgraph::dem {
+
+// A pair (i < j, or i = j with another image) whose gap is below the search distance.
+struct NearPair {
+    std::int32_t i, j;
+    std::int8_t cell_x, cell_y;
+};
+
+// Linear-time search for near pairs in a periodic cell; reusable so that a search allocates nothing.
+class NeighbourSearch {
+  public:
+    // All pairs with |x_j + H c - x_i| < r_i + r_j + gap, ordered by i. `xy` holds 4 doubles a grain (x, y
+    // first), centres wrapped into the cell; `r` likewise 4 a grain (radius first). Images c in {-1, 0, 1}^2.
+    const std::vector<NearPair>& find(const double* xy, const double* r, int grains, const Mat2& H,
+                                      double gap);
+
+  private:
+    void bin(const double* xy, int grains, const Mat2& H);
+    void pairs_of_bin(const double* xy, const double* r, const Mat2& H, double gap, int bx, int by);
+    void brute_force(const double* xy, const double* r, int grains, const Mat2& H, double gap);
+
+    int nx_ = 0, ny_ = 0;
+    std::vector<int> start_, member_, bin_of_;
+    std::vector<NearPair> pairs_;
+};
+
+// Moves a centre into the cell (fractional coordinates in [0, 1)); returns how many periods were taken off.
+struct Wrapped {
+    int cx, cy;
+};
+Wrapped wrap(const Mat2& H, const Mat2& H_inverse, double& x, double& y);
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,70 @@
+#pragma once
+#include <memory>
+
+#include "base/tensor.hpp"
+#include "dem/compact_packing.hpp"
+#include "dem/fast_kernel.hpp"
+#include "dem/neighbour_list.hpp"
+#include "dem/rve_options.hpp"
+
+namespace sandgraph::dem {
+
+enum class RveStatus : std::uint8_t {
+    ok,
+    floating,       // no contacts: stress exactly zero, no cost
+    bad_increment,  // singular, inverted or absurd increment: state left as it was
+    diverged,       // not finite, or the cell became too thin to be periodic: state left as it was
+};
+
+struct RveReport {
+    RveStatus status = RveStatus::ok;
+    int dem_steps = 0;
+    double inertial_number = 0;
+};
+
+// Scratch memory of one thread; RVEs visit it one after the other.
+struct Workspace {
+    FastState state;
+    NeighbourList neighbours;
+};
+
+// The grains of one material point. The packing lives in a frame that turns with the point, so rotations are
+// exact and free, and only the stretch is driven through DEM steps.
+class Rve {
+  public:
+    // Shares the initial packing of its depth row; an own copy is made by the first update.
+    explicit Rve(std::shared_ptr<const CompactPacking> initial) : initial_(std::move(initial)) {}
+
+    // Drives the packing through the increment F_inc (lab frame, det > 0). After a report other than `ok` or
+    // `floating` the state is unchanged and `stress()` still that of before.
+    RveReport update(const Mat2& F_inc, const Material& material, const RveOptions& options, Workspace& work);
+
+    // Cauchy stress [Pa], compression positive, lab frame; not symmetrised.
+    Mat2 stress() const;
+    bool owns_packing() const { return own_ != nullptr; }
+    bool floating() const { return floating_; }
+    double angle() const { return angle_; }          // rotation of the packing's frame [rad]
+    double volume_ratio() const { return volume_; }  // J since the start
+    double porosity() const;
+    const CompactPacking& packing() const { return own_ ? *own_ : *initial_; }
+
+    // Appends the state to (takes it from) flat arrays, for checkpoints. The initial packing is not part of
+    // it.
+    void save(std::vector<double>& reals, std::vector<std::int64_t>& integers) const;
+    void load(const double*& reals, const std::int64_t*& integers);
+
+  private:
+    bool keep_floating(const Mat2& U);
+    RveReport drive(const Mat2& stretch, const Material& material, const RveOptions& options,
+                    Workspace& work);
+    void settle(const RveOptions& options);
+
+    std::shared_ptr<const CompactPacking> initial_;
+    std::unique_ptr<CompactPacking> own_;
+    bool floating_ = false;
+    double angle_ = 0, volume_ = 1;
+    double contact_volume_ = 1;        // J when the packing last carried load
+    Mat2 pending_ = Mat2::Identity();  // deformation collected while floating, packing frame
+};
+
+}  // namespace sandgraph::dem
