@@ -15,6 +15,7 @@ endif()
 function(sandgraph_library name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(NOT sources)  # a folder of headers only
     add_library(sg_${name} INTERFACE)
     target_link_libraries(sg_${name} INTERFACE sandgraph_flags ${ARG_LINK})

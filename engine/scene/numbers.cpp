@@ -24,7 +24,7 @@ double Real::quantity(const Entry& entry) const {
     if (unit_.empty()) return bare_number(entry, entry.node);
     if (entry.node.is_number()) entry.refuse("no unit", fmt::format("write \"{} {}\"", entry.text(), unit_));
     const auto text = entry.node.value_exact<std::string>();
-    if (!text) entry.refuse("not a quantity", fmt::format("write a number and a unit, as \"{}\"", shown()));
+    if (!text) entry.refuse("not a quantity", fmt::format("write a number and a unit, as {}", shown()));
     return parse_quantity(entry.where, entry.name, *text, unit_);
 }
 
@@ -35,8 +35,11 @@ void Real::read(const Entry& entry) {
     value_ = value;
 }
 
-std::string Real::shown() const { return format_quantity(value_, unit_); }
-std::string Real::canonical() const { return fmt::format("{:a}", value_); }
+std::string Real::shown() const {
+    const std::string text = format_quantity(value_, unit_);
+    return unit_.empty() ? text : fmt::format("\"{}\"", text);
+}
+std::string Real::canonical() const { return fmt::format("{:.14g}", value_); }
 
 void RisingReals::read(const Entry& entry) {
     const toml::array* array = entry.node.as_array();
@@ -51,7 +54,7 @@ void RisingReals::read(const Entry& entry) {
 }
 
 std::string RisingReals::shown() const { return fmt::format("[{:.6g}]", fmt::join(values_, ", ")); }
-std::string RisingReals::canonical() const { return fmt::format("[{:a}]", fmt::join(values_, ",")); }
+std::string RisingReals::canonical() const { return fmt::format("[{:.14g}]", fmt::join(values_, ",")); }
 
 template <class Int>
 void Integer<Int>::read(const Entry& entry) {

@@ -6,7 +6,7 @@
 
 namespace sandgraph::scene {
 
-// Every value that changes results, one "section.key=value" a line in SI with all bits; the same for two
+// Every value that changes results, one "section.key=value" a line in SI; the same for two
 // files that mean the same. A packing file stands with the hash of its content.
 std::string canonical_text(const Scene& scene);
 

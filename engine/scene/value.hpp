@@ -22,8 +22,8 @@ class Value {
   public:
     virtual ~Value() = default;
     virtual void read(const Entry& entry) = 0;
-    virtual std::string shown() const = 0;      // for people: "30 kPa"
-    virtual std::string canonical() const = 0;  // for the hash: SI, every bit
+    virtual std::string shown() const = 0;      // as in a file: "30 kPa" with its quotes
+    virtual std::string canonical() const = 0;  // for the hash: SI, 14 digits so that 7 mm is 0.7 cm
     virtual std::string allowed() const { return ""; }
 };
 

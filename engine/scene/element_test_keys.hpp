@@ -1,0 +1,10 @@
+#pragma once
+#include "scene/element_test_spec.hpp"
+#include "scene/key_table.hpp"
+
+namespace sandgraph::scene {
+
+// The keys that a test of `spec.kind` has; a key of another kind is unknown, so nothing is silently ignored.
+KeyTable element_test_keys(ElementTestSpec& spec);
+
+}  // namespace sandgraph::scene

@@ -1,0 +1,44 @@
+#include "scene/element_test_keys.hpp"
+#include "scene/element_test_spec.hpp"
+#include "scene/toml_file.hpp"
+
+namespace sandgraph::scene {
+namespace {
+
+// `kind` decides which other keys there are, so it is read first.
+TestKind read_kind(const toml::table& table, const std::string& file) {
+    TestKind kind = TestKind::path;
+    KeyTable keys;
+    keys.section("").choice("kind", kind, {"path", "biaxial", "isotropic"}, "");
+    const toml::node* node = table.get("kind");
+    if (!node)
+        throw InputError({file, 0}, "no key kind", "it says which test to run", "write kind = \"path\"");
+    const InputError::Where where{file, static_cast<int>(node->source().begin.line)};
+    keys.at("kind").value->read({*node, where, "kind"});
+    return kind;
+}
+
+void need_one_source(const KeyTable& keys, const std::string& file) {
+    const Key &tables = keys.at("segment"), &csv = keys.at("segments");
+    if (tables.given && csv.given)
+        throw InputError(csv.where, "segments beside [[segment]]", "the path is given twice",
+                         "remove one of them");
+    if (!tables.given && !csv.given)
+        throw InputError({file, 0}, "no segments", "a path needs one at least",
+                         "write [[segment]] tables or segments = \"FILE.csv\"");
+}
+
+}  // namespace
+
+ElementTestSpec read_element_test(const std::string& file, const dem::Material& material) {
+    const toml::table table = parse_toml(read_text(file), file);
+    ElementTestSpec spec;
+    spec.material = material;
+    spec.kind = read_kind(table, file);
+    KeyTable keys = element_test_keys(spec);
+    keys.read(table, file);
+    if (spec.kind == TestKind::path) need_one_source(keys, file);
+    return spec;
+}
+
+}  // namespace sandgraph::scene

@@ -1,0 +1,24 @@
+#include "scene/recipe_spec.hpp"
+
+#include "scene/grain_keys.hpp"
+#include "scene/toml_file.hpp"
+
+namespace sandgraph::scene {
+
+KeyTable recipe_keys(RecipeSpec& recipe) {
+    KeyTable keys;
+    keys.section("").real("pressure", recipe.pressure, "kPa", above(0), "isotropic, of the finished packing");
+    add_grain_keys(keys, recipe.grains);
+    return keys;
+}
+
+RecipeSpec read_recipe(const std::string& file) {
+    RecipeSpec recipe;
+    recipe.file = file;
+    KeyTable keys = recipe_keys(recipe);
+    keys.read(parse_toml(read_text(file), file), file);
+    complete_grains(keys, recipe.grains);
+    return recipe;
+}
+
+}  // namespace sandgraph::scene

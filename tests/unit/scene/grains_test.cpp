@@ -1,0 +1,41 @@
+#include <numbers>
+
+#include "tests/unit/scene/refused.hpp"
+
+namespace sandgraph::scene {
+namespace {
+
+Grains grains(const std::string& text) { return parse_scene(text, "s.toml").ground.grains; }
+
+TEST(Density, NamesStandForPorosityAndFriction) {
+    EXPECT_EQ(grains("[grains]\ndensity = \"dense\"").target_porosity, 0.16);
+    EXPECT_EQ(grains("[grains]\ndensity = \"dense\"").consolidation_friction, 0);
+    EXPECT_EQ(grains("[grains]\ndensity = \"loose\"").target_porosity, 0.20);
+    EXPECT_EQ(grains("[grains]\ndensity = \"loose\"").consolidation_friction, 13 * std::numbers::pi / 180);
+}
+
+TEST(Density, CustomTakesTheKeys) {
+    const Grains g =
+        grains("[grains]\ndensity = \"custom\"\ntarget_porosity = 0.18\nconsolidation_friction = \"5 deg\"");
+    EXPECT_EQ(g.target_porosity, 0.18);
+    EXPECT_EQ(g.consolidation_friction, 5 * std::numbers::pi / 180);
+}
+
+TEST(Density, ContradictionIsRefused) {
+    EXPECT_EQ(refused("[grains]\ndensity = \"loose\"\ntarget_porosity = 0.16"),
+              "s.toml:3: grains.target_porosity = 0.16 (density = \"loose\" sets it); write density = "
+              "\"custom\" or "
+              "leave this key out");
+}
+
+TEST(Grains, SmallestIsNotAboveLargest) {
+    EXPECT_EQ(refused("[grains]\nradius_min = \"9 mm\"").rfind("s.toml:2: grains.radius_min = \"9 mm\"", 0),
+              0u);
+}
+
+TEST(Grains, PackingFileMustExist) {
+    EXPECT_EQ(refused("[grains]\npacking = \"none.csv\"").rfind("s.toml:2: grains.packing", 0), 0u);
+}
+
+}  // namespace
+}  // namespace sandgraph::scene

@@ -1,0 +1,100 @@
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "scene/key_help.hpp"
+#include "scene/scene_keys.hpp"
+#include "tests/unit/scene/refused.hpp"
+
+namespace sandgraph::scene {
+namespace {
+
+TEST(SceneKeys, AreReadInSiUnits) {
+    const Scene scene = parse_scene(R"(
+title = "a"
+[domain]
+width = "300 cm"
+[anchor]
+embedment_ratio = 2.5
+friction_angle = "30 deg"
+[ground]
+surcharge = "12 kPa"
+[grains]
+radius_min = "2 mm"
+[output]
+frames = [0, 0.1]
+)",
+                                    "s.toml");
+    EXPECT_EQ(scene.domain.width, 3);
+    EXPECT_EQ(scene.anchor.embedment_ratio, 2.5);
+    EXPECT_EQ(scene.anchor.friction_angle, 30 * std::numbers::pi / 180);
+    EXPECT_EQ(scene.ground.surcharge, 12e3);
+    EXPECT_EQ(scene.ground.grains.radius_min, 0.002);
+    EXPECT_EQ(scene.output.frames, (std::vector<double>{0, 0.1}));
+}
+
+TEST(SceneKeys, AnEmptySceneIsTheDefault) {
+    const Scene scene = parse_scene("", "s.toml");
+    EXPECT_EQ(scene.domain.depth, Domain{}.depth);
+    EXPECT_EQ(scene.ground.grains.material.friction_angle, dem::Material{}.friction_angle);
+}
+
+TEST(SceneKeys, UnknownOnesAreRefusedWithTheNearest) {
+    EXPECT_EQ(
+        refused("[domain]\nwidht = \"3 m\""),
+        "s.toml:2: unknown key domain.widht (sandgraph keys lists what is known); did you mean \"width\"?");
+    EXPECT_NE(refused("[anchr]\nwidth = \"3 m\"").find("did you mean \"anchor\"?"), std::string::npos);
+    EXPECT_NE(refused("tilte = \"x\"").find("did you mean \"title\"?"), std::string::npos);
+}
+
+TEST(SceneKeys, OfAnotherTableAreSentThere) {
+    EXPECT_NE(refused("[anchor]\ncell = \"0.1 m\"").find("it belongs to [domain]"), std::string::npos);
+}
+
+TEST(SceneKeys, WithoutTheirUnitAreRefused) {
+    EXPECT_EQ(refused("\n\n[anchor]\nfriction_angle = 35"),
+              "s.toml:4: anchor.friction_angle = 35 (no unit); write \"35 deg\"");
+}
+
+TEST(SceneKeys, WithAWrongUnitAreRefused) {
+    EXPECT_EQ(refused("[domain]\ncell = \"0.1 kPa\""),
+              "s.toml:2: domain.cell = \"0.1 kPa\" (\"kPa\" is a unit of pressure, not of length); write "
+              "\"0.1 m\"");
+}
+
+TEST(SceneKeys, OfTheWrongTypeAreRefused) {
+    for (const char* text :
+         {"[output]\npictures = 1", "[domain]\npoints_per_cell = 1.5", "[anchor]\npull_to = \"0.1\"",
+          "[output]\nframes = 0.1", "[output]\nframes = [0.2, 0.1]", "domain = 3", "title = 3",
+          "[grains]\nseed = -1", "[anchor]\npull_to = nan", "[domain]\npoints_per_cell = 2"})
+        EXPECT_EQ(refused(text).rfind("s.toml:", 0), 0u) << text << " -> " << refused(text);
+}
+
+TEST(SceneKeys, ChoicesNameTheNearest) {
+    EXPECT_EQ(refused("[ground]\nlaw = \"mohr-coulomb\""),
+              "s.toml:2: ground.law = \"mohr-coulomb\" (known: rve, elastic, mohr_coulomb); did you mean "
+              "\"mohr_coulomb\"?");
+}
+
+TEST(SceneKeys, SyntaxErrorsKeepTheirLine) {
+    EXPECT_EQ(refused("[domain]\nwidth = = 3").rfind("s.toml:2: ", 0), 0u);
+}
+
+TEST(SceneKeys, HelpNamesEveryKeyAndReadsBackAsDefaults) {
+    Scene scene;
+    const std::string help = key_help(scene_keys(scene));
+    EXPECT_NE(help.find("embedment_ratio = 3"), std::string::npos);
+    EXPECT_NE(help.find("pull_rate = \"0.05 m/s\""), std::string::npos);
+    std::string text = help;
+    const auto packing = text.find("packing = ");  // the default, no file, cannot be given
+    text.insert(packing, "# ");
+    const auto porosity = text.find("target_porosity = ");  // belongs to density = "custom"
+    text.insert(porosity, "# ");
+    text.insert(text.find("consolidation_friction = "), "# ");
+    EXPECT_EQ(parse_scene(text, "s.toml").anchor.pull_rate, Anchor{}.pull_rate);
+}
+
+TEST(SceneFile, ThatIsMissingIsBadInput) { EXPECT_THROW(read_scene("no_such_folder/none.toml"), InputError); }
+
+}  // namespace
+}  // namespace sandgraph::scene
