@@ -5,10 +5,12 @@
 namespace sandgraph::io::h5 {
 namespace {
 
-// With H5F_CLOSE_STRONG a forgotten handle cannot keep a file open (and locked) behind our back.
+// With H5F_CLOSE_STRONG a forgotten handle cannot keep a file open (and locked) behind our back. The format
+// of HDF5 1.8 and later checksums its metadata and takes attributes beyond 64 kB (scene texts).
 Handle file_access() {
     Handle list = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5", "create a property list");
     H5Pset_fclose_degree(list.get(), H5F_CLOSE_STRONG);
+    H5Pset_libver_bounds(list.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
     return list;
 }
 
@@ -44,7 +46,10 @@ File File::open(const std::filesystem::path& path, Access access) {
 }
 
 Group File::root() const {
-    return {own(H5Gopen2(id_.get(), "/", H5P_DEFAULT), H5Gclose, name_, "open the root group"), name_, "/"};
+    Handle id(H5Gopen2(id_.get(), "/", H5P_DEFAULT), H5Gclose);
+    if (id.get() < 0)
+        throw InputError({name_}, "damaged", last_error(), "write it again with this version of sandgraph");
+    return {std::move(id), name_, "/"};
 }
 
 void File::close() {

@@ -16,11 +16,7 @@ namespace {
 constexpr std::int64_t schema = 1;
 
 void write_info(h5::Group scene, const RunInfo& info) {
-    // As a dataset: an attribute holds 64 kB at most.
-    h5::write(
-        scene, "text",
-        std::span(reinterpret_cast<const std::uint8_t*>(info.scene_text.data()), info.scene_text.size()),
-        {info.scene_text.size()});
+    h5::set_attribute(scene, ".", "text", info.scene_text);
     h5::set_attribute(scene, ".", "hash", info.scene_hash);
     h5::set_attribute(scene, ".", "version", info.version);
     h5::set_attribute(scene, ".", "git", info.git);
@@ -29,10 +25,9 @@ void write_info(h5::Group scene, const RunInfo& info) {
 }
 
 RunInfo read_info(const h5::Group& scene) {
-    const auto text = h5::read<std::uint8_t>(scene, "text");
-    return {std::string(text.begin(), text.end()), h5::get_text(scene, ".", "hash"),
-            h5::get_text(scene, ".", "version"),   h5::get_text(scene, ".", "git"),
-            h5::get_text(scene, ".", "mode"),      static_cast<int>(h5::get_integer(scene, ".", "threads"))};
+    return {h5::get_text(scene, ".", "text"),    h5::get_text(scene, ".", "hash"),
+            h5::get_text(scene, ".", "version"), h5::get_text(scene, ".", "git"),
+            h5::get_text(scene, ".", "mode"),    static_cast<int>(h5::get_integer(scene, ".", "threads"))};
 }
 
 void write_load(h5::Group group, const std::vector<LoadRow>& rows) {
