@@ -7,13 +7,13 @@
 
 namespace sandgraph::stress {
 
-// THE contract between the ground (mpm) and what it is made of: a batch of (point, strain increment) in, stress
-// out. RVEs, closed-form laws and the surrogate all stand behind it.
+// THE contract between the ground (mpm) and what it is made of: a batch of (point, strain increment) in,
+// stress out. RVEs, closed-form laws and the surrogate all stand behind it.
 struct Batch {
     std::span<const std::int32_t> points;  // ids of the material points to update, each at most once
-    std::span<const Mat2> F_inc;           // by point id: increment of the deformation gradient since last step
-    std::span<Stress> stress;              // by point id: Cauchy stress [Pa], tension positive; in: old, out: new
-    double dt = 0;                         // [s]
+    std::span<const Mat2> F_inc;  // by point id: increment of the deformation gradient since last step
+    std::span<Stress> stress;     // by point id: Cauchy stress [Pa], tension positive; in: old, out: new
+    double dt = 0;                // [s]
 };
 
 class Law {

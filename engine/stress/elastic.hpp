@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "stress/elastic_constants.hpp"
+#include "stress/law.hpp"
+
+namespace sandgraph::stress {
+
+// Isotropic linear elasticity in plane strain: sigma = R (sigma_old + lambda tr(E) I + 2 G E) R^T, F_inc = R
+// U, E the strain increment of U (increment.hpp).
+class Elastic final : public Law {
+  public:
+    // `initial` [Pa] by point id, tension positive: what initialise hands out.
+    Elastic(const ElasticConstants& constants, std::vector<Stress> initial);
+    void initialise(const Batch& batch) override;
+    void update(const Batch& batch) override;
+    double p_wave_modulus() const override { return constants_.p_wave(); }
+
+  private:
+    ElasticConstants constants_;
+    std::vector<Stress> initial_;
+};
+
+}  // namespace sandgraph::stress
