@@ -1,0 +1,50 @@
+#include "mpm/layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mpm/audit.hpp"
+#include "tests/support/memory_archive.hpp"
+#include "tests/support/random_ground.hpp"
+
+namespace sandgraph::mpm {
+namespace {
+
+TEST(Layout, FillsTheGroundButNotThePlate) {
+    const Rectangle plate{0.5, 0.5, 1.5, 0.6};
+    for (const int per_cell : {1, 4, 9}) {
+        const Points points = lay_out({{0, 0, 2, 1}, 0.1, per_cell, 2000, {plate}});
+        EXPECT_NEAR(total_mass(points), 2000 * (2.0 - 0.1), 1e-9);
+        for (std::size_t p = 0; p < points.size(); ++p)
+            EXPECT_FALSE(plate.contains(points.x[p], points.y[p]));
+    }
+}
+
+TEST(Layout, RowsCountFromTheSurface) {
+    const Points points = lay_out({{0, 0, 2, 1}, 0.1, 4, 2000, {}});
+    for (std::size_t p = 0; p < points.size(); ++p)
+        EXPECT_NEAR(1 - points.y[p], (points.row[p] + 0.5) * 2 * points.half, 1e-14);
+    ASSERT_EQ(points.surface.size(), 40u);
+    for (const auto id : points.surface) EXPECT_EQ(points.row[static_cast<std::size_t>(id)], 0);
+}
+
+TEST(PointsArchive, BringsEveryBitBack) {
+    Points points = support::random_ground(5, 6, 4, 11), copy;
+    points.F[3] << 1.25, 0.5, -0.25, 0.75;
+    points.F_inc[4] << 1.01, 0.02, -0.03, 0.99;
+    support::MemoryArchive memory;
+    archive(memory, points);
+    memory.read_from_now_on();
+    archive(memory, copy);
+    EXPECT_EQ(copy.half, points.half);
+    for (auto field :
+         {&Points::x, &Points::y, &Points::vx, &Points::vy, &Points::mass, &Points::volume0, &Points::volume})
+        EXPECT_EQ(copy.*field, points.*field);
+    EXPECT_EQ(copy.F, points.F);
+    EXPECT_EQ(copy.F_inc, points.F_inc);
+    EXPECT_EQ(copy.stress, points.stress);
+    EXPECT_EQ(copy.row, points.row);
+    EXPECT_EQ(copy.surface, points.surface);
+}
+
+}  // namespace
+}  // namespace sandgraph::mpm
