@@ -7,9 +7,9 @@ namespace sandgraph::dem {
 namespace {
 
 // Tuned on the dense and loose reference packings for the smallest rms error of sigma_xx.
-constexpr int servo_interval = 5;        // steps
-constexpr double servo_response = 5e-4;  // [s]
-constexpr double servo_memory = 2e-3;    // [s]
+constexpr int servo_interval = 2;        // steps
+constexpr double servo_response = 1e-4;  // [s]
+constexpr double servo_memory = 1e-3;    // [s]
 constexpr double servo_limit = 20;       // times the axial rate
 constexpr double grain_diameter = 0.01, grain_density = 2650;
 
