@@ -22,12 +22,12 @@ enum class Kernel { reference, fast };
 struct ElementTestSpec {
     TestKind kind = TestKind::path;
     Kernel mode = Kernel::reference;
-    double time_step = 1e-5;          // [s]
-    std::int64_t relax_steps = 2000;  // at L = 0, before the test, not counted in it
+    double time_step = 1e-5;  // [s]
+    int relax_steps = 2000;   // at L = 0, before the test, not counted in it
     dem::Material material;
     RveStepping rve;  // mode = fast
 
-    std::int64_t sample_every = 500;      // path: steps between rows
+    int sample_every = 500;               // path: steps between rows
     std::vector<StrainSegment> segments;  // path
 
     double confining_pressure = 64e3;  // biaxial: sigma_xx held; isotropic: p at the end [Pa]

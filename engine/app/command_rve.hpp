@@ -1,0 +1,13 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace sandgraph::app {
+
+// The commands under `rve`.
+void add_rve_test(CLI::App& rve);
+void add_rve_bench(CLI::App& rve);
+
+}  // namespace sandgraph::app

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/command_rve.hpp"
+#include "app/element_test.hpp"
+#include "app/load_packing.hpp"
+#include "app/revision.hpp"
+#include "io/atomic_file.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+struct Options {
+    std::string test, packing, out;
+    int threads = 1;
+};
+
+std::string metadata(const Options& options) {
+    return nlohmann::json{{"test", options.test}, {"packing", options.packing}, {"git", revision()}}.dump();
+}
+
+void run(const Options& options) {
+    const io::PackingRecord record = load_packing(options.packing);
+    const scene::ElementTestSpec spec = scene::read_element_test(options.test, record.material);
+    if (options.out.empty()) {
+        run_element_test(spec, record.packing, "/dev/stdout", metadata(options));
+        return;
+    }
+    io::AtomicFile out(options.out);
+    const std::string outcome =
+        run_element_test(spec, record.packing, out.temporary().string(), metadata(options));
+    out.commit();
+    fmt::print("{}: {}\n", options.out, outcome);
+}
+
+}  // namespace
+
+void add_rve_test(CLI::App& rve) {
+    CLI::App* test = rve.add_subcommand("test", "an element test on one packing");
+    auto options = std::make_shared<Options>();
+    test->add_option("test", options->test, "TOML file: kind = \"path\", \"biaxial\" or \"isotropic\"")
+        ->required();
+    test->add_option("--packing", options->packing, "packing to test, .csv or .h5")->required();
+    test->add_option("-o,--out", options->out, "CSV file to write (default: the terminal)");
+    test->add_option("--threads", options->threads,
+                     "taken for scripts' sake: one packing is one thread's work")
+        ->check(CLI::PositiveNumber);
+    test->callback([options] { run(*options); });
+}
+
+}  // namespace sandgraph::app
