@@ -9,6 +9,7 @@ namespace sandgraph::app {
 void add_rve_command(CLI::App& app, int&) {
     CLI::App* rve = app.add_subcommand("rve", "one packing of grains by itself");
     rve->require_subcommand(1);
+    add_rve_prepare(*rve);
     add_rve_test(*rve);
     add_rve_bench(*rve);
 }

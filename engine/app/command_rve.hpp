@@ -7,6 +7,7 @@ class App;
 namespace sandgraph::app {
 
 // The commands under `rve`.
+void add_rve_prepare(CLI::App& rve);
 void add_rve_test(CLI::App& rve);
 void add_rve_bench(CLI::App& rve);
 

@@ -6,6 +6,7 @@
 #include "app/command_rve.hpp"
 #include "app/load_packing.hpp"
 #include "app/make_assembly.hpp"
+#include "app/prepare_packing.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -26,8 +27,14 @@ double seconds_of(dem::Assembly& assembly, const Mat2& L, int steps) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Without a file: the dense packing of Table 1, made on the spot.
+io::PackingRecord packing_of(const Options& options) {
+    if (!options.packing.empty()) return load_packing(options.packing);
+    return {.packing = base_packing({}), .material = {}, .recipe = {}};
+}
+
 void run(const Options& options) {
-    const io::PackingRecord record = load_packing(options.packing);
+    const io::PackingRecord record = packing_of(options);
     const auto kernel = options.reference ? scene::Kernel::reference : scene::Kernel::fast;
     const auto assembly = make_assembly(kernel, record.packing, record.material);
     const Mat2 L = simple_shear(0.4);
@@ -42,7 +49,8 @@ void run(const Options& options) {
 void add_rve_bench(CLI::App& rve) {
     CLI::App* bench = rve.add_subcommand("bench", "time of a DEM step on one core, in simple shear");
     auto options = std::make_shared<Options>();
-    bench->add_option("--packing", options->packing, "packing, .csv or .h5")->required();
+    bench->add_option("--packing", options->packing,
+                      "packing, .csv or .h5 (default: a dense one made on the spot)");
     bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::PositiveNumber);
     bench->add_flag("--reference", options->reference, "the published step instead of the optimised kernel");
     bench->callback([options] { run(*options); });

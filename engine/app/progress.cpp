@@ -1,15 +1,11 @@
 #include "app/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace sandgraph::app {
 namespace {
-
-constexpr double terminal_interval = 0.2, plain_interval = 10;  // [s]
 
 std::string duration(double seconds) {
     const auto s = static_cast<std::int64_t>(std::lround(seconds));
@@ -40,26 +36,8 @@ std::optional<double> TimeLeft::update(const ProgressState& state, double now) {
     return (state.target - state.d_over_B) / speed_;
 }
 
-Progress::Progress(std::FILE* out) : out_(out), terminal_(isatty(fileno(out)) != 0) {}
-
-void Progress::update(const ProgressState& state) {
-    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
-    update(state, now.count());
-}
-
 void Progress::update(const ProgressState& state, double now) {
-    if (shown_ && now < next_) return;
-    shown_ = true;
-    next_ = now + (terminal_ ? terminal_interval : plain_interval);
-    const std::string line = progress_line(state, time_left_.update(state, now));
-    fmt::print(out_, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\033[K" : "\n");
-    std::fflush(out_);
-    live_ = terminal_;
-}
-
-void Progress::finish() {
-    if (live_) fmt::print(out_, "\n");
-    live_ = false;
+    if (line_.due(now)) line_.show(progress_line(state, time_left_.update(state, now)), now);
 }
 
 }  // namespace sandgraph::app

@@ -1,8 +1,9 @@
 #pragma once
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <string>
+
+#include "app/live_line.hpp"
 
 namespace sandgraph::app {
 
@@ -29,23 +30,15 @@ class TimeLeft {
     bool started_ = false;
 };
 
-// A line that renews itself on a terminal, and a plain line now and then elsewhere.
+// The progress of a run, live on a terminal.
 class Progress {
   public:
-    explicit Progress(std::FILE* out = stderr);
-    ~Progress() { finish(); }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-    void update(const ProgressState& state);              // by the wall clock
-    void update(const ProgressState& state, double now);  // now [s], any origin
-    void finish();                                        // ends the live line
+    explicit Progress(std::FILE* out = stderr) : line_(out) {}
+    void update(const ProgressState& state, double now = wall_clock());  // now [s], any origin
+    void finish() { line_.finish(); }
 
   private:
-    std::FILE* out_;
-    bool terminal_, live_ = false;
-    double next_ = 0;  // [s]
-    bool shown_ = false;
+    LiveLine line_;
     TimeLeft time_left_;
 };
 

@@ -16,6 +16,12 @@ const CLI::App& deepest(const CLI::App& app) {
     return *at;
 }
 
+// "sandgraph rve test"
+std::string full_name(const CLI::App& command) {
+    if (!command.get_parent()) return command.get_name();
+    return full_name(*command.get_parent()) + " " + command.get_name();
+}
+
 std::vector<std::string> names_of(const CLI::App& app, bool options) {
     std::vector<std::string> names;
     if (options)
@@ -37,7 +43,7 @@ std::string one_line(std::string text) {
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App& command = deepest(app);
-    const std::string name = command.get_parent() ? "sandgraph " + command.get_name() : "sandgraph";
+    const std::string name = full_name(command);
     const std::vector<std::string> extras = app.remaining(true);
     const std::string help = fmt::format("{} --help lists what there is", name);
     if (extras.empty()) return fmt::format("{}: {}; {}", name, one_line(error.what()), help);

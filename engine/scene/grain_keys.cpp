@@ -9,12 +9,12 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Porosity and consolidation friction that the paper's two densities stand for.
+// Porosity that the paper's two densities stand for; the preparation finds the friction that gives it.
 struct Preset {
     const char* density;
-    double porosity, friction;
+    double porosity;
 };
-constexpr Preset presets[] = {{"dense", 0.16, 0}, {"loose", 0.20, 13 * degree}};
+constexpr Preset presets[] = {{"dense", 0.16}, {"loose", 0.20}};
 
 // A name the table knows, kept as text in the struct.
 class DensityName : public Choice {
@@ -57,10 +57,9 @@ void add_material_keys(KeyTable& keys, dem::Material& m) {
 void add_grain_keys(KeyTable& keys, Grains& g) {
     auto grains = keys.section("grains");
     grains.add("density", std::make_unique<DensityName>(g.density),
-               "dense: porosity 0.16; loose: 0.20; custom: by the next two keys");
-    grains.real("target_porosity", g.target_porosity, "", within(0.1, 0.3), "2D porosity at 10 kPa (custom)");
-    grains.real("consolidation_friction", g.consolidation_friction, "deg", within(0, 80 * degree),
-                "friction while consolidating (custom)");
+               "dense: porosity 0.16; loose: 0.20; custom: by target_porosity");
+    grains.real("target_porosity", g.target_porosity, "", within(0.1, 0.3),
+                "2D, of the base packing (custom)");
     grains.integer("count", g.count, 20, "disks in a packing");
     grains.real("radius_min", g.radius_min, "mm", above(0), "smallest disk");
     grains.real("radius_max", g.radius_max, "mm", above(0), "largest disk");
@@ -90,9 +89,7 @@ void complete_grains(const KeyTable& keys, Grains& g) {
     for (const Preset& preset : presets) {
         if (g.density != preset.density) continue;
         refuse_given(keys, "grains.target_porosity", g);
-        refuse_given(keys, "grains.consolidation_friction", g);
         g.target_porosity = preset.porosity;
-        g.consolidation_friction = preset.friction;
     }
     if (g.radius_min > g.radius_max) {
         const Key& key = keys.at("grains.radius_min");

@@ -15,8 +15,9 @@ KeyTable recipe_keys(RecipeSpec& recipe) {
 RecipeSpec read_recipe(const std::string& file) {
     RecipeSpec recipe;
     recipe.file = file;
+    recipe.text = read_text(file);
     KeyTable keys = recipe_keys(recipe);
-    keys.read(parse_toml(read_text(file), file), file);
+    keys.read(parse_toml(recipe.text, file), file);
     complete_grains(keys, recipe.grains);
     return recipe;
 }

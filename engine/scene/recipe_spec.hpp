@@ -8,7 +8,7 @@ namespace sandgraph::scene {
 
 // A packing recipe: [grains] as in a scene, and the pressure of the finished packing.
 struct RecipeSpec {
-    std::string file;
+    std::string file, text;
     Grains grains;
     double pressure = 10e3;  // [Pa]
 };

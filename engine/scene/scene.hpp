@@ -40,8 +40,7 @@ struct Grains {
     double radius_min = 0.003, radius_max = 0.007;  // [m]
     dem::Material material;
     std::string density = "dense";         // "dense" (porosity 0.16), "loose" (0.20) or "custom"
-    double target_porosity = 0.16;         // at 10 kPa
-    double consolidation_friction = 0;     // [rad]
+    double target_porosity = 0.16;         // 2D, at consolidation_pressure
     double consolidation_pressure = 10e3;  // [Pa]
     std::uint64_t seed = 1;
     std::string packing;  // file (.csv or .h5) to start from instead of the recipe; "" = recipe

@@ -1,5 +1,3 @@
-#include <numbers>
-
 #include "tests/unit/scene/refused.hpp"
 
 namespace sandgraph::scene {
@@ -7,18 +5,14 @@ namespace {
 
 Grains grains(const std::string& text) { return parse_scene(text, "s.toml").ground.grains; }
 
-TEST(Density, NamesStandForPorosityAndFriction) {
+TEST(Density, NamesStandForPorosity) {
     EXPECT_EQ(grains("[grains]\ndensity = \"dense\"").target_porosity, 0.16);
-    EXPECT_EQ(grains("[grains]\ndensity = \"dense\"").consolidation_friction, 0);
     EXPECT_EQ(grains("[grains]\ndensity = \"loose\"").target_porosity, 0.20);
-    EXPECT_EQ(grains("[grains]\ndensity = \"loose\"").consolidation_friction, 13 * std::numbers::pi / 180);
 }
 
 TEST(Density, CustomTakesTheKeys) {
-    const Grains g =
-        grains("[grains]\ndensity = \"custom\"\ntarget_porosity = 0.18\nconsolidation_friction = \"5 deg\"");
+    const Grains g = grains("[grains]\ndensity = \"custom\"\ntarget_porosity = 0.18");
     EXPECT_EQ(g.target_porosity, 0.18);
-    EXPECT_EQ(g.consolidation_friction, 5 * std::numbers::pi / 180);
 }
 
 TEST(Density, ContradictionIsRefused) {

@@ -31,8 +31,7 @@ TEST(SceneHash, DiffersWithAnyValueThatMatters) {
 }
 
 TEST(SceneHash, KeepsItsValueAcrossVersions) {
-    EXPECT_EQ(canonical_text(parse_scene("", "s.toml")).rfind("mode=\"full\"\ndomain.width=6\n", 0),
-              0u);
+    EXPECT_EQ(canonical_text(parse_scene("", "s.toml")).rfind("mode=\"full\"\ndomain.width=6\n", 0), 0u);
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/command_rve.hpp"
+#include "app/prepare_packing.hpp"
+#include "app/revision.hpp"
+#include "app/stage_progress.hpp"
+#include "dem/packing_csv.hpp"
+#include "io/atomic_file.hpp"
+#include "io/packing_file.hpp"
+#include "scene/recipe_spec.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+struct Options {
+    std::string recipe, out, csv;
+};
+
+dem::Packing make_packing(const scene::RecipeSpec& recipe) {
+    StageProgress progress;
+    const auto tell = [&progress](std::string_view stage, double fraction) {
+        progress.update(stage, fraction);
+    };
+    const dem::Packing base = base_packing(recipe.grains, tell);
+    if (recipe.grains.packing.empty() && recipe.pressure == recipe.grains.consolidation_pressure) return base;
+    return dem::compress_to(base, {.pressure = recipe.pressure}, recipe.grains.material, fast_assemblies(),
+                            tell);
+}
+
+void run(const Options& options) {
+    const scene::RecipeSpec recipe = scene::read_recipe(options.recipe);
+    std::optional<io::AtomicFile> csv;
+    if (!options.csv.empty()) csv.emplace(options.csv);
+    const dem::Packing packing = make_packing(recipe);
+    if (csv) {
+        const nlohmann::json metadata{
+            {"recipe", recipe.file}, {"pressure_Pa", recipe.pressure}, {"git", revision()}};
+        dem::write_packing_csv(csv->temporary(), packing, metadata.dump());
+        csv->commit();
+    }
+    io::write_packing(options.out, {packing, recipe.grains.material, recipe.text});
+    fmt::print("{}: {} grains at {:g} kPa, porosity {:.4f}\n", options.out, packing.size(),
+               recipe.pressure / 1000, dem::porosity(packing));
+}
+
+}  // namespace
+
+void add_rve_prepare(CLI::App& rve) {
+    CLI::App* prepare = rve.add_subcommand("prepare", "makes a packing by a recipe");
+    auto options = std::make_shared<Options>();
+    prepare->add_option("recipe", options->recipe, "TOML file; `sandgraph keys recipe` lists its keys")
+        ->required();
+    prepare->add_option("-o,--out", options->out, "HDF5 file to write")->required();
+    prepare->add_option("--csv", options->csv, "the packing as CSV, too (without contact history)");
+    prepare->callback([options] { run(*options); });
+}
+
+}  // namespace sandgraph::app
