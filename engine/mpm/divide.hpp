@@ -5,40 +5,36 @@
 
 namespace sandgraph::mpm {
 
-// The mid-plane of a rigid plate, a straight cut along x or y. A point and a node on opposite sides of it do
-// not share a velocity: the node keeps a second field for that side (as CRAMP does for cracks, Nairn 2003),
-// so that soil above and below the plate neither drag nor pull each other through the plate or across a
-// cavity.
+// The mid-plane of a rigid plate, a straight cut along x or y. Nodes within the plate's length keep two
+// velocities, one for the points on either side, so that soil above and below neither drag nor pull each
+// other through the plate or across a cavity. As with XFEM's Heaviside enrichment, only nodes whose whole
+// support is cut have the second field: nodes that also see soil beside the plate's ends keep one, else the
+// stress that the soil there carries around the end would be cut too (a line-crossing rule, Nairn 2003, does
+// that) and rest would not be exact.
 struct Divide {
     bool active = false;
     bool along_x = true;        // the cut runs along x (horizontal plate) or along y
     double level = 0;           // coordinate of the cut, normal to it [m]
-    double low = 0, high = 0;   // its ends [m]
+    double low = 0, high = 0;   // the plate's ends [m]
     double half_thickness = 0;  // of the plate [m]
+    double margin = 0;          // reach of a point, cell + half: no second field so near to the ends [m]
 
-    // Whether the straight line from the point to the node crosses the cut.
+    // Whether the point takes part in the node's second field: that of the side where the node itself is not.
     bool separates(double point_x, double point_y, double node_x, double node_y) const {
         if (!active) return false;
-        return along_x ? crosses(point_y, point_x, node_y, node_x)
-                       : crosses(point_x, point_y, node_x, node_y);
+        const double along = along_x ? node_x : node_y;
+        if (along < low + margin || along > high - margin) return false;
+        return along_x ? (point_y >= level) != (node_y >= level) : (point_x >= level) != (node_x >= level);
     }
 
-    // Where points must be that the plate touches or whose three nodes an axis may lie across the cut: a
-    // stencil reaches cell + half, a contact half_thickness + half; a quarter of a cell allows for
-    // penetration.
+    // Where points must be that the plate touches or that reach a node across the cut: a stencil reaches
+    // `margin`, a contact half_thickness + half; a quarter of a cell allows for penetration.
     Rectangle reach(double cell, double half) const {
         if (!active) return {};
-        const double along = 1.25 * cell + half;
-        const double across = half + 0.25 * cell + std::max(cell, half_thickness);
+        const double along = half + 0.25 * cell;
+        const double across = along + std::max(cell, half_thickness);
         const Rectangle box = {low - along, level - across, high + along, level + across};
         return along_x ? box : Rectangle{box.y0, box.x0, box.y1, box.x1};
-    }
-
-  private:
-    bool crosses(double n0, double s0, double n1, double s1) const {
-        if ((n0 >= level) == (n1 >= level)) return false;
-        const double s = s0 + (s1 - s0) * (level - n0) / (n1 - n0);
-        return s >= low && s <= high;
     }
 };
 

@@ -62,9 +62,10 @@ Reading read_point(std::size_t p, const Points& points, const Grid& grid) {
 
 }  // namespace
 
-void set_divide(Grid& grid, const Divide& divide) {
+void set_divide(Grid& grid, const Divide& divide, double half) {
     Field& second = grid.fields[1];
     grid.divide = divide;
+    grid.divide.margin = grid.shape.cell + half;
     second.box = divide.active ? nodes_around(divide, grid.shape) : NodeBox{};
     if (!divide.active || !second.nodes.empty()) return;
     second.nodes.resize(grid.shape.size());

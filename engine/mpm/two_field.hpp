@@ -8,7 +8,8 @@
 namespace sandgraph::mpm {
 
 // Moves the cut with the plate and sizes the second field around it. Before the points' order is refreshed.
-void set_divide(Grid& grid, const Divide& divide);
+// `half`: of the points' domains [m].
+void set_divide(Grid& grid, const Divide& divide, double half);
 
 // The transfers of transfer_kernel.hpp for the few points near the divide, each node in its field; in id
 // order.

@@ -43,7 +43,7 @@ struct MacroModel {
 
     // Everything up to the grid's motion: the unbalanced forces are in the nodes afterwards.
     void load_grid() {
-        if (plate) mpm::set_divide(grid, mpm::divide_of(*plate));
+        if (plate) mpm::set_divide(grid, mpm::divide_of(*plate), points.half);
         mpm::refresh(order, points, grid);
         mpm::points_to_grid(points, order, grid);
         if (surcharge != 0) mpm::add_surcharge(surcharge, points, grid);

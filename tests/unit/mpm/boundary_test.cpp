@@ -1,0 +1,109 @@
+#include "mpm/boundary.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mpm/grid_to_points.hpp"
+#include "mpm/grid_update.hpp"
+#include "mpm/points_to_grid.hpp"
+#include "tests/support/random_ground.hpp"
+
+namespace sandgraph::mpm {
+namespace {
+
+// A random ground in x > 0 and the same with its mirror image in x < 0 (ids doubled).
+Points half_ground() {
+    Points points = support::random_ground(8, 10, 4, 21);
+    for (double& x : points.x) x -= 0.15;
+    for (double& x : points.x) x = x < 0.01 ? 0.01 : x;
+    return points;
+}
+
+Points with_image(const Points& half) {
+    Points whole = half;
+    const std::size_t n = half.size();
+    resize(whole, 2 * n);
+    for (std::size_t p = 0; p < n; ++p) {
+        whole.x[n + p] = -half.x[p], whole.y[n + p] = half.y[p];
+        whole.vx[n + p] = -half.vx[p], whole.vy[n + p] = half.vy[p];
+        whole.mass[n + p] = half.mass[p];
+        whole.volume0[n + p] = half.volume0[p], whole.volume[n + p] = half.volume[p];
+        whole.stress[n + p] = {half.stress[p].xx, half.stress[p].yy, -half.stress[p].xy};
+    }
+    return whole;
+}
+
+void run(Points& points, Grid& grid, const Boundaries& boundaries, int steps) {
+    Order order;
+    const GridStep update{1e-4, {0, -9.81}, 0.1, 2, boundaries};
+    for (int k = 0; k < steps; ++k) {
+        refresh(order, points, grid);
+        points_to_grid(points, order, grid);
+        update_grid(update, grid);
+        ASSERT_TRUE(grid_to_points(grid, {update.dt, 0.02}, order, points).good());
+    }
+}
+
+TEST(Mirror, HalfModelMovesAsTheWhole) {
+    Points half = half_ground(), whole = with_image(half);
+    Grid half_grid({0, 0, 0.1, 20, 20}), whole_grid({-2, 0, 0.1, 40, 20});
+    run(half, half_grid, {Side::mirror, Side::free, Side::fixed, Side::free}, 20);
+    run(whole, whole_grid, {Side::free, Side::free, Side::fixed, Side::free}, 20);
+    for (std::size_t p = 0; p < half.size(); ++p) {
+        EXPECT_NEAR(half.x[p], whole.x[p], 1e-12);
+        EXPECT_NEAR(half.vx[p], whole.vx[p], 1e-9);
+        EXPECT_NEAR(half.vy[p], whole.vy[p], 1e-9);
+        EXPECT_LT((half.F[p] - whole.F[p]).norm(), 1e-10);
+    }
+}
+
+Grid loaded_grid(const Points& points) {
+    Grid grid(support::grid_around(8, 10));
+    Order order;
+    refresh(order, points, grid);
+    points_to_grid(points, order, grid);
+    return grid;
+}
+
+TEST(Fixed, SideNodesRestAndTheirAccelerationStopsThePoints) {
+    Points points = support::random_ground(8, 10, 4, 2);
+    for (double& y : points.y) y -= 0.1;
+    Grid grid = loaded_grid(points);
+    const GridStep update{1e-4, {0, -9.81}, 0, 1, {Side::free, Side::free, Side::fixed, Side::free}};
+    update_grid(update, grid);
+    for (int i = -1; i <= grid.shape.nx + 1; ++i) {
+        const std::size_t n = grid.shape.index(i, 0);
+        const Node& node = grid.fields[0].nodes[n];
+        const Motion& m = grid.fields[0].motion[n];
+        EXPECT_EQ(m.vx, 0);
+        EXPECT_EQ(m.vy, 0);
+        if (node.mass <= 1e-6) continue;
+        EXPECT_NEAR(node.py / node.mass + update.dt * m.ay, 0, 1e-9);
+    }
+}
+
+TEST(GridUpdate, MassScalingSlowsTheResponseToStressButNotToTheBalance) {
+    const Points points = support::random_ground(8, 10, 4, 2);
+    Grid once = loaded_grid(points), scaled = once;
+    update_grid({1e-4, {0, -9.81}, 0, 1, {}}, once);
+    update_grid({1e-4, {0, -9.81}, 0, 4, {}}, scaled);
+    for (std::size_t n = 0; n < once.shape.size(); ++n) {
+        const Motion &a = once.fields[0].motion[n], &b = scaled.fields[0].motion[n];
+        EXPECT_NEAR(b.ay, a.ay / 4, 1e-12 * std::abs(a.ay));  // whole unbalanced force, weight included
+    }
+}
+
+TEST(GridUpdate, LocalDampingTakesItsShareOfTheUnbalancedForceAgainstTheMotion) {
+    Points points = support::random_ground(8, 10, 4, 2);
+    Grid free = loaded_grid(points), damped = free;
+    update_grid({1e-4, {0, -9.81}, 0, 1, {}}, free);
+    update_grid({1e-4, {0, -9.81}, 0.3, 1, {}}, damped);
+    for (std::size_t n = 0; n < free.shape.size(); ++n) {
+        const Node& node = free.fields[0].nodes[n];
+        if (node.mass < 1e-6) continue;
+        const double a = free.fields[0].motion[n].ax, expected = a * (1 - (node.px * a > 0 ? 0.3 : -0.3));
+        EXPECT_NEAR(damped.fields[0].motion[n].ax, expected, 1e-12 * std::abs(a));
+    }
+}
+
+}  // namespace
+}  // namespace sandgraph::mpm
