@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace sandgraph::report {
+
+// The range of colours. The outermost 0.5 % of the points may lie beyond it: one runaway point must not
+// bleach the picture.
+struct ColourRange {
+    double low = 0, high = 1;
+    bool clipped_low = false, clipped_high = false;
+};
+
+// Signed values: symmetric about zero. Others: from zero if `from_zero`, else from their own lower end; ends
+// on round numbers. NaNs are left out.
+ColourRange colour_range(std::vector<double> values, bool is_signed, bool from_zero);
+
+// gnuplot commands: viridis (perceptually uniform) or, for signed values, cool-warm (Moreland 2009).
+std::string palette(bool is_signed);
+
+}  // namespace sandgraph::report

@@ -1,0 +1,103 @@
+#include "report/field_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/colour_scale.hpp"
+#include "report/field_rows.hpp"
+
+namespace sandgraph::report {
+namespace {
+
+struct Box {
+    double left, right, bottom, top;
+};
+
+Box box_of(const io::Frame& frame, const GroundView& view) {
+    double top = view.surface;
+    for (const double y : frame.y) top = std::max(top, y);
+    const double margin = 0.02 * view.width;
+    return {(view.mirror ? -view.width : 0) - margin, view.width + margin, -margin, top + 2 * margin};
+}
+
+std::string title(const io::Frame& frame, const GroundView& view) {
+    return literal(fmt::format("{}, d/B = {:.3g}{}", view.title, frame.d_over_B,
+                               view.mirror ? " (left half: mirror image)" : ""));
+}
+
+std::string axes(const io::Frame& frame, const GroundView& view, const Box& box) {
+    return fmt::format(
+        "set title {} noenhanced\nset size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
+        "set xlabel 'x [m]'\nset ylabel 'y [m]'\nset xtics nomirror\nset ytics nomirror\nset tics out\n"
+        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B'\nunset key\n",
+        title(frame, view), box.left, box.right, box.bottom, box.top, view.anchor_width, view.anchor_width);
+}
+
+std::string colours(const PointValues& shown, const ColourRange& range) {
+    const char* beyond = range.clipped_low && range.clipped_high ? " (ends: and beyond)"
+                         : range.clipped_high                    ? " (top: and above)"
+                         : range.clipped_low                     ? " (bottom: and below)"
+                                                                 : "";
+    return palette(shown.is_signed) +
+           fmt::format("set cbrange [{}:{}]\nset cblabel {}\n", range.low, range.high,
+                       literal(fmt::format("{} [{}]{}", shown.name, shown.unit, beyond)));
+}
+
+std::string plate(const io::Frame& frame, const GroundView& view) {
+    if (!view.has_plate) return {};
+    const double hx = view.plate_size_x / 2, hy = view.plate_size_y / 2;
+    const double left = frame.plate_x - hx, right = frame.plate_x + hx;
+    return fmt::format("set object 1 rectangle from {},{} to {},{} fc rgb 'black' fs solid noborder front\n",
+                       view.mirror || frame.plate_x > 0 ? left : std::max(left, 0.0), frame.plate_y - hy,
+                       right, frame.plate_y + hy);
+}
+
+std::string surface_line(const GroundView& view) {
+    return fmt::format("set arrow from {},{} to {},{} nohead dt 2 lw 1.5 lc rgb 'black' front\n",
+                       view.mirror ? -view.width : 0.0, view.surface, view.width, view.surface);
+}
+
+std::string plot_command(bool arrows) {
+    std::string text = "plot 'squares.txt' using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette";
+    if (arrows)
+        text +=
+            ", \\\n     'arrows.txt' using 1:2:3:4 with vectors head size screen 0.004,20 filled lw 0.8 lc "
+            "rgb '#50000000'";
+    return text + "\n";
+}
+
+// The picture's height follows the box, so that equal scales leave no blank bands.
+void fit_size(Plot& plot, const Box& box) {
+    const double room_x = 230, room_y = 170;  // axes, title, colour bar [px]
+    const double scale = (plot.width - room_x) / (box.right - box.left);
+    plot.height = static_cast<int>(std::clamp(scale * (box.top - box.bottom) + room_y, 350.0, 1600.0));
+}
+
+}  // namespace
+
+Plot field_plot(const io::Frame& frame, Quantity quantity, const GroundView& view) {
+    const PointValues shown = point_values(frame, quantity);
+    const Box box = box_of(frame, view);
+    const ColourRange range = colour_range(shown.values, shown.is_signed, quantity != Quantity::porosity);
+    Plot plot;
+    fit_size(plot, box);
+    plot.data.emplace_back("squares.txt", square_rows(frame, shown, view));
+    if (quantity == Quantity::displacement)
+        plot.data.emplace_back("arrows.txt", arrow_rows(frame, view, (box.right - box.left) / 36));
+    const bool arrows = plot.data.size() > 1 && !plot.data.back().second.empty();
+    plot.script = axes(frame, view, box) + colours(shown, range) + plate(frame, view) + surface_line(view) +
+                  plot_command(arrows);
+    return plot;
+}
+
+Picture draw_field_picture(const io::Frame& frame, Quantity quantity, const GroundView& view,
+                           const std::filesystem::path& png) {
+    try {
+        return draw(field_plot(frame, quantity, view), png);
+    } catch (const std::exception& error) {
+        return {false, fmt::format("{}: no picture: {}", png.string(), error.what())};
+    }
+}
+
+}  // namespace sandgraph::report

@@ -1,0 +1,97 @@
+#include "report/load_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sandgraph::report {
+namespace {
+
+// Okabe & Ito (2008): distinguishable with colour-vision deficiency.
+constexpr std::array<const char*, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                             "#E69F00", "#56B4E9", "#000000"};
+
+const char* colour(std::size_t k) { return colours[k % colours.size()]; }
+std::string file_name(std::size_t k) { return fmt::format("curve{}.txt", k); }
+
+std::string rows(const LoadCurve& curve) {
+    std::string text;
+    for (std::size_t k = 0; k < curve.d_over_B.size(); ++k)
+        text += fmt::format("{} {}\n", curve.d_over_B[k], curve.load[k] / curve.unit_load);
+    return text;
+}
+
+bool share_unit_load(const std::vector<LoadCurve>& curves) {
+    return !curves.empty() && std::all_of(curves.begin(), curves.end(), [&](const LoadCurve& c) {
+        return c.unit_load == curves.front().unit_load;
+    });
+}
+
+std::string axes(const LoadPicture& picture) {
+    std::string text = fmt::format(
+        "set title {} noenhanced\nset xlabel 'displacement d/B'\nset ylabel 'breakout factor N_γ = Q/(BγH)'\n"
+        "set grid lc rgb '#dddddd'\nset key bottom right noenhanced\nset xrange [0:*]\nset yrange [0:*]\n"
+        "set offsets graph 0, 0, graph 0.08, 0\n",
+        literal(picture.title));
+    if (share_unit_load(picture.curves))
+        text += fmt::format(
+            "set link y2 via y*{0} inverse y/{0}\nset y2tics\nset ytics nomirror\nset y2label 'load Q "
+            "[kN/m]'\n",
+            picture.curves.front().unit_load / 1000);
+    return text;
+}
+
+std::string reference_labels(const std::vector<ReferenceLine>& references) {
+    std::string text;
+    for (const ReferenceLine& r : references)
+        text += fmt::format(
+            "set label {} at graph 0.98, first {} right offset 0,0.6 noenhanced textcolor '#444444' front\n",
+            literal(fmt::format("{}: {:.2f}", r.label, r.n_gamma)), r.n_gamma);
+    return text;
+}
+
+std::string breakout_label(const LoadCurve& curve, std::size_t k) {
+    if (curve.breakout.d_over_B <= 0) return {};
+    const double n = curve.breakout.load / curve.unit_load;
+    const char* word = curve.breakout.kind == BreakoutKind::still_rising ? "still rising, " : "";
+    return fmt::format(
+        "set label {} at {},{} point pt 7 ps 1.6 lc rgb '{}' left offset 1,{} noenhanced textcolor '{}' "
+        "front\n",
+        literal(fmt::format("{}{:.2f} at d/B = {:.3f}", word, n, curve.breakout.d_over_B)),
+        curve.breakout.d_over_B, n, colour(k), 0.8, colour(k));
+}
+
+std::string curve_item(const LoadCurve& curve, std::size_t k) {
+    return fmt::format("'{}' using 1:2 with lines lw 2 lc rgb '{}' title {}", file_name(k), colour(k),
+                       literal(curve.label));
+}
+
+std::string reference_item(const ReferenceLine& r) {
+    return fmt::format("{} with lines dt 2 lw 1.5 lc rgb '#444444' notitle", r.n_gamma);
+}
+
+}  // namespace
+
+Plot load_plot(const LoadPicture& picture) {
+    Plot plot;
+    plot.script = axes(picture) + reference_labels(picture.references);
+    std::string items;
+    const auto add = [&](const std::string& item) {
+        items += (items.empty() ? "plot " : ", \\\n     ") + item;
+    };
+    for (std::size_t k = 0; k < picture.curves.size(); ++k) {
+        plot.script += breakout_label(picture.curves[k], k);
+        plot.data.emplace_back(file_name(k), rows(picture.curves[k]));
+        add(curve_item(picture.curves[k], k));
+    }
+    for (const ReferenceLine& r : picture.references) add(reference_item(r));
+    plot.script += items + "\n";
+    return plot;
+}
+
+Picture draw_load_picture(const LoadPicture& picture, const std::filesystem::path& png) {
+    return draw(load_plot(picture), png);
+}
+
+}  // namespace sandgraph::report
