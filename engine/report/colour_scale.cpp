@@ -12,13 +12,6 @@ double quantile(const std::vector<double>& sorted, double share) {
     return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
 }
 
-// 1, 2 or 5 times a power of ten: about a tenth of the width.
-double round_step(double width) {
-    const double power = std::pow(10.0, std::floor(std::log10(width / 10)));
-    const double lead = width / 10 / power;
-    return power * (lead < 2 ? 1 : lead < 5 ? 2 : 5);
-}
-
 }  // namespace
 
 ColourRange colour_range(std::vector<double> values, bool is_signed, bool from_zero) {
@@ -29,11 +22,16 @@ ColourRange colour_range(std::vector<double> values, bool is_signed, bool from_z
     if (is_signed) high = std::max(std::abs(low), std::abs(high)), low = -high;
     if (from_zero && !is_signed) low = std::min(0.0, low);
     if (!(high - low > 1e-12 * std::max(1.0, std::abs(high)))) high = low + 1e-3;
-    const double step = round_step(high - low);
+    const double step = round_step(high - low, 10);
     ColourRange range{step * std::floor(low / step + 1e-9), step * std::ceil(high / step - 1e-9)};
     range.clipped_low = values.front() < range.low - 1e-9 * step;
     range.clipped_high = values.back() > range.high + 1e-9 * step;
     return range;
+}
+
+double round_step(double width, double parts) {
+    const double power = std::pow(10.0, std::floor(std::log10(width / parts))), lead = width / parts / power;
+    return power * (lead < 2 ? 1 : lead < 5 ? 2 : 5);
 }
 
 std::string palette(bool is_signed) {

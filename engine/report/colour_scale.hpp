@@ -15,6 +15,9 @@ struct ColourRange {
 // on round numbers. NaNs are left out.
 ColourRange colour_range(std::vector<double> values, bool is_signed, bool from_zero);
 
+// 1, 2 or 5 times a power of ten that divides a width > 0 into about `parts`.
+double round_step(double width, double parts);
+
 // gnuplot commands: viridis (perceptually uniform) or, for signed values, cool-warm (Moreland 2009).
 std::string palette(bool is_signed);
 

@@ -28,9 +28,9 @@ std::string title(const io::Frame& frame, const GroundView& view) {
 
 std::string axes(const io::Frame& frame, const GroundView& view, const Box& box) {
     return fmt::format(
-        "set title {} noenhanced\nset size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
+        "set title {} noenhanced offset 0,0.4\nset size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
         "set xlabel 'x [m]'\nset ylabel 'y [m]'\nset xtics nomirror\nset ytics nomirror\nset tics out\n"
-        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B'\nunset key\n",
+        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B' offset 0,-0.4\nunset key\n",
         title(frame, view), box.left, box.right, box.bottom, box.top, view.anchor_width, view.anchor_width);
 }
 

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace sandgraph::report {
 namespace {
 
+constexpr double overlap = 1.04;         // of drawn squares: no hairlines between neighbours
 constexpr double widest_stretch = 1.6;   // of a drawn square; beyond, gaps are real
 constexpr double shortest_arrow = 0.03;  // as a share of the longest
 
@@ -19,7 +22,8 @@ struct Square {
 double drawn_stretch(double F) { return std::clamp(std::abs(F), 1.0, widest_stretch); }
 
 Square square(const io::Frame& frame, const PointValues& shown, const GroundView& view, std::size_t p) {
-    Square s{frame.x[p], frame.y[p], view.point_size / 2, view.point_size / 2, shown.values[p]};
+    const double half = overlap * view.point_size / 2;
+    Square s{frame.x[p], frame.y[p], half, half, shown.values[p]};
     if (!has_field(frame, "F")) return s;
     const Mat2 F = deformation_gradient(field(frame, "F", 4), p);
     s.half_x *= drawn_stretch(F(0, 0));
@@ -29,6 +33,14 @@ Square square(const io::Frame& frame, const PointValues& shown, const GroundView
 
 std::string row(const Square& s) {
     return fmt::format("{:.6g} {:.6g} {:.4g} {:.4g} {:.6g}\n", s.x, s.y, s.half_x, s.half_y, s.value);
+}
+
+// The bin of a point in the middle half of it; points near the edges would give uneven arrows.
+std::optional<std::pair<long, long>> central_bin(double x, double y, double spacing) {
+    const double i = x / spacing, j = y / spacing;
+    if (std::abs(i - std::floor(i) - 0.5) > 0.25 || std::abs(j - std::floor(j) - 0.5) > 0.25)
+        return std::nullopt;
+    return std::pair(std::lround(std::floor(i)), std::lround(std::floor(j)));
 }
 
 double longest(const io::Field& u) {
@@ -62,8 +74,8 @@ std::string arrow_rows(const io::Frame& frame, const GroundView& view, double sp
     for (std::size_t p = 0; p < frame.x.size() && most > 0; ++p) {
         const double dx = u.values[2 * p] / most, dy = u.values[2 * p + 1] / most;
         if (std::hypot(dx, dy) < shortest_arrow) continue;
-        if (!taken.emplace(std::lround(frame.x[p] / spacing), std::lround(frame.y[p] / spacing)).second)
-            continue;
+        const auto bin = central_bin(frame.x[p], frame.y[p], spacing);
+        if (!bin || !taken.insert(*bin).second) continue;
         const auto arrow = [&](double side) {
             text += fmt::format("{:.5g} {:.5g} {:.4g} {:.4g}\n", side * frame.x[p], frame.y[p],
                                 side * spacing * dx, spacing * dy);

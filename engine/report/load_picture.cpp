@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "report/colour_scale.hpp"
+
 namespace sandgraph::report {
 namespace {
 
@@ -22,6 +24,22 @@ std::string rows(const LoadCurve& curve) {
     return text;
 }
 
+double largest_load(const std::vector<LoadCurve>& curves) {
+    double largest = 0;
+    for (const LoadCurve& c : curves)
+        for (const double load : c.load) largest = std::max(largest, load);
+    return largest;
+}
+
+// The second axis, with round ticks of its own in kN/m.
+std::string load_axis(const std::vector<LoadCurve>& curves) {
+    const double unit = curves.front().unit_load / 1000, largest = largest_load(curves) / 1000;
+    return fmt::format(
+        "set link y2 via y*{0} inverse y/{0}\nset y2tics {1}\nset ytics nomirror\nset y2label 'load Q "
+        "[kN/m]'\n",
+        unit, largest > 0 ? round_step(largest, 5) : 1);
+}
+
 bool share_unit_load(const std::vector<LoadCurve>& curves) {
     return !curves.empty() && std::all_of(curves.begin(), curves.end(), [&](const LoadCurve& c) {
         return c.unit_load == curves.front().unit_load;
@@ -31,14 +49,11 @@ bool share_unit_load(const std::vector<LoadCurve>& curves) {
 std::string axes(const LoadPicture& picture) {
     std::string text = fmt::format(
         "set title {} noenhanced\nset xlabel 'displacement d/B'\nset ylabel 'breakout factor N_γ = Q/(BγH)'\n"
-        "set grid lc rgb '#dddddd'\nset key bottom right noenhanced\nset xrange [0:*]\nset yrange [0:*]\n"
+        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset key bottom right noenhanced\nset xrange [0:*]\nset "
+        "yrange [0:*]\n"
         "set offsets graph 0, 0, graph 0.08, 0\n",
         literal(picture.title));
-    if (share_unit_load(picture.curves))
-        text += fmt::format(
-            "set link y2 via y*{0} inverse y/{0}\nset y2tics\nset ytics nomirror\nset y2label 'load Q "
-            "[kN/m]'\n",
-            picture.curves.front().unit_load / 1000);
+    if (share_unit_load(picture.curves)) text += load_axis(picture.curves);
     return text;
 }
 
