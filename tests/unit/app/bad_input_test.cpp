@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/app/subprocess.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+constexpr const char* header = "# {}\n# cell\n# 0.1 0 0 0.1\nid,x,y,r\n";
+constexpr const char* path_test =
+    "kind = \"path\"\nrelax_steps = 0\n[[segment]]\nvelocity_gradient = [[-0.1, 0], [0, -0.1]]\nsteps = 10\n";
+
+// Exit code 2, exactly one line on stderr that starts with `where` and holds `problem`, a reason and a
+// suggestion.
+void expect_bad_input(const Shell::Outcome& outcome, const std::string& where, const std::string& problem) {
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind(where + ": ", 0), 0u) << outcome.err;
+    EXPECT_NE(outcome.err.find(problem), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(" ("), std::string::npos) << "no reason: " << outcome.err;
+    EXPECT_NE(outcome.err.find("; "), std::string::npos) << "no suggestion: " << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
+TEST(BadInput, UnknownKeyOfATest) {
+    const Shell shell("unknown_key");
+    shell.write("t.toml", "kind = \"biaxial\"\naxial_strian = 0.1\n");
+    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.01\n");
+    expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "t.toml:2", "axial_strian");
+    EXPECT_EQ(shell.files(), 2);
+}
+
+TEST(BadInput, MissingAndWrongUnitsOfARecipe) {
+    const Shell shell("unit");
+    shell.write("r.toml", "pressure = 32\n");
+    expect_bad_input(shell.run("rve prepare r.toml -o p.h5"), "r.toml:1", "write \"32 kPa\"");
+    shell.write("r.toml", "\npressure = \"32 deg\"\n");
+    expect_bad_input(shell.run("rve prepare r.toml -o p.h5 --csv p.csv"), "r.toml:2", "unit of angle");
+    EXPECT_EQ(shell.files(), 1);
+}
+
+TEST(BadInput, PackingWithNaN) {
+    const Shell shell("nan");
+    shell.write("t.toml", path_test);
+    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.01\n1,nan,0.02,0.01\n");
+    expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "p.csv:6", "not finite");
+    EXPECT_EQ(shell.files(), 2);
+}
+
+TEST(BadInput, PackingWithOneDiskInAnother) {
+    const Shell shell("overlap");
+    shell.write("t.toml", path_test);
+    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.01\n1,0.052,0.05,0.01\n");
+    expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "p.csv:6", "overlap");
+    EXPECT_EQ(shell.files(), 2);
+}
+
+TEST(BadInput, TruncatedOrForeignHdf5) {
+    const Shell shell("truncated");
+    shell.write("t.toml", path_test);
+    shell.write("p.h5", std::string("\x89HDF\r\n\x1a\n", 8) + std::string(50, '\0'));
+    expect_bad_input(shell.run("rve test t.toml --packing p.h5 -o out.csv"), "p.h5", "");
+    expect_bad_input(shell.run("info p.h5"), "p.h5", "");
+    EXPECT_EQ(shell.files(), 2);
+}
+
+TEST(BadInput, ArgumentsThatDoNotExist) {
+    const Shell shell("arguments");
+    for (const char* arguments :
+         {"rev test", "rve tets", "rve bench --step 3", "", "rve", "rve test", "keys scenes"}) {
+        const auto outcome = shell.run(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << arguments;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_NE(shell.run("rve tets").err.find("did you mean \"test\"?"), std::string::npos);
+    EXPECT_NE(shell.run("rve bench --stesp 3").err.find("did you mean \"--steps\"?"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sandgraph::app

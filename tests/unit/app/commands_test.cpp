@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/app/subprocess.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+// Sixteen disks on a square lattice that just touch: an elastic solid with a known answer.
+std::string lattice() {
+    std::string text = "# {}\n# cell\n# 0.08 0 0 0.08\nid,x,y,r\n";
+    for (int id = 0; id < 16; ++id)
+        text += fmt::format("{},{},{},0.01\n", id, 0.01 + 0.02 * (id % 4), 0.01 + 0.02 * (id / 4));
+    return text;
+}
+
+std::string compression(const char* mode) {
+    return std::string("kind = \"path\"\nmode = \"") + mode +
+           "\"\nrelax_steps = 0\nsample_every = 100\n[[segment]]\nvelocity_gradient = [[-0.1, 0], [0, "
+           "-0.1]]\n"
+           "steps = 1000\n[grains]\ndamping = 0.7\n";
+}
+
+// Value of a column in the last row of a CSV with one '#' line.
+double last(const std::string& csv, const std::string& column) {
+    std::istringstream in(csv);
+    std::string metadata, names, row, line;
+    std::getline(in, metadata);
+    std::getline(in, names);
+    while (std::getline(in, line)) row = line;
+    std::istringstream name(names), value(row);
+    for (std::string n, v; std::getline(name, n, ',') && std::getline(value, v, ',');)
+        if (n == column) return std::stod(v);
+    return NAN;
+}
+
+TEST(RveTest, SquareLatticeCarriesItsContactStiffness) {
+    const Shell shell("lattice");
+    shell.write("p.csv", lattice());
+    for (const char* mode : {"reference", "fast"}) {
+        shell.write("t.toml", compression(mode));
+        const auto outcome = shell.run("rve test t.toml --packing p.csv -o out.csv --threads 2");
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        // sigma_xx = k_n overlap / (2 r h) = E r eps 2 r / (2 r h) = E r eps / h at strain eps = 1e-3.
+        const double expected = 800e6 * 0.01 * 1e-3 / 0.1;
+        EXPECT_NEAR(last(shell.read("out.csv"), "sxx"), expected, 0.01 * expected) << mode;
+        EXPECT_NEAR(last(shell.read("out.csv"), "syy"), expected, 0.01 * expected) << mode;
+        EXPECT_EQ(last(shell.read("out.csv"), "Nc"), 32) << mode;
+        EXPECT_EQ(last(shell.read("out.csv"), "step"), 1000) << mode;
+    }
+}
+
+TEST(RveTest, GivesTheSameBytesAgain) {
+    const Shell shell("repeat");
+    shell.write("p.csv", lattice());
+    shell.write("t.toml", compression("fast"));
+    shell.run("rve test t.toml --packing p.csv -o a.csv --threads 1");
+    shell.run("rve test t.toml --packing p.csv -o b.csv --threads 2");
+    EXPECT_FALSE(shell.read("a.csv").empty());
+    EXPECT_EQ(shell.read("a.csv"), shell.read("b.csv"));
+}
+
+TEST(RveTest, WritesToTheTerminalWithoutAnOutputFile) {
+    const Shell shell("stdout");
+    shell.write("p.csv", lattice());
+    shell.write("t.toml", compression("reference"));
+    EXPECT_NE(shell.run("rve test t.toml --packing p.csv").out.find("step,t,Fxx"), std::string::npos);
+}
+
+TEST(RvePrepare, MakesWhatTheTestReads) {
+    const Shell shell("prepare");
+    shell.write("r.toml", "pressure = \"20 kPa\"\n[grains]\ncount = 60\n");
+    const auto made = shell.run("rve prepare r.toml -o p.h5 --csv p.csv");
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    shell.write("t.toml", "kind = \"path\"\n[[segment]]\nvelocity_gradient = [[0, 0], [0, 0]]\nsteps = 10\n");
+    for (const char* packing : {"p.h5", "p.csv"}) {
+        const auto tested = shell.run(std::string("rve test t.toml -o out.csv --packing ") + packing);
+        ASSERT_EQ(tested.exit_code, 0) << tested.err;
+        EXPECT_NEAR(last(shell.read("out.csv"), "sxx"), 20e3, 0.1 * 20e3) << packing;
+    }
+    EXPECT_NE(shell.run("info p.h5").out.find("contacts"), std::string::npos);
+}
+
+TEST(RveBench, PrintsWhatScriptsRead) {
+    const Shell shell("bench");
+    shell.write("p.csv", lattice());
+    double time = 0;
+    int contacts = 0;
+    for (const char* kernel : {"", " --reference"}) {
+        const std::string out = shell.run(std::string("rve bench --packing p.csv --steps 1000") + kernel).out;
+        ASSERT_EQ(std::sscanf(out.c_str(), "us_per_step %lf contacts %d", &time, &contacts), 2) << out;
+        EXPECT_GT(time, 0);
+    }
+}
+
+TEST(Keys, NameEveryTable) {
+    const Shell shell("keys");
+    const auto outcome = shell.run("keys");
+    EXPECT_EQ(outcome.exit_code, 0);
+    for (const char* table : {"[domain]", "[anchor]", "[ground]", "[grains]", "[rve]", "[mpm]", "[output]"})
+        EXPECT_NE(outcome.out.find(table), std::string::npos) << table;
+    for (const char* file : {"recipe", "path", "biaxial", "isotropic"})
+        EXPECT_EQ(shell.run(std::string("keys ") + file).exit_code, 0) << file;
+}
+
+}  // namespace
+}  // namespace sandgraph::app
