@@ -42,25 +42,47 @@ struct ImageTable {
     }
 };
 
-HWY_INLINE void Stage(const FastState& s, const ImageTable& images, int first, int count, Staging& out) {
+// The arrays of a state as local pointers: vector stores may alias anything, members would be reloaded each
+// time.
+struct Arrays {
+    const double *HWY_RESTRICT a, *HWY_RESTRICT b;
+    double* HWY_RESTRICT force;
+    const std::uint16_t *HWY_RESTRICT i, *HWY_RESTRICT j;
+    const std::uint8_t* HWY_RESTRICT image;
+    double *HWY_RESTRICT tangential, *HWY_RESTRICT moment;
+    explicit Arrays(FastState& s)
+        : a(s.a.data()),
+          b(s.b.data()),
+          force(s.force.data()),
+          i(s.i.data()),
+          j(s.j.data()),
+          image(s.image.data()),
+          tangential(s.tangential.data()),
+          moment(s.moment.data()) {}
+};
+
+HWY_INLINE void Stage(const Arrays& s, const ImageTable& images, int first, int count, Staging& out) {
     const D4 d;
     alignas(32) static constexpr double kSign[4] = {1, 1, -1, -1};
+    const double *HWY_RESTRICT a = s.a, *HWY_RESTRICT b = s.b, *HWY_RESTRICT shifts = images.shift;
+    const std::uint16_t *HWY_RESTRICT pi = s.i + first, *HWY_RESTRICT pj = s.j + first;
+    const std::uint8_t* HWY_RESTRICT image = s.image + first;
+    double *HWY_RESTRICT geometry = out.geometry, *HWY_RESTRICT rotation = out.rotation;
     for (int c = 0; c < count; ++c) {
-        const std::size_t i = 4 * s.i[first + c], j = 4 * s.j[first + c];
-        const double* shift = images.shift + 4 * s.image[first + c];
+        const std::size_t i = std::size_t{4} * pi[c], j = std::size_t{4} * pj[c],
+                          shift = std::size_t{4} * image[c];
         for (std::size_t k = 0; k < 4; k += hn::Lanes(d)) {
-            const auto difference = hn::Sub(hn::Load(d, &s.a[j + k]), hn::Load(d, &s.a[i + k]));
-            hn::Store(hn::Add(difference, hn::Load(d, shift + k)), d, out.geometry + 4 * c + k);
-            const auto combined =
-                hn::MulAdd(hn::Load(d, kSign + k), hn::Load(d, &s.b[i + k]), hn::Load(d, &s.b[j + k]));
-            hn::Store(combined, d, out.rotation + 4 * c + k);
+            const auto difference = hn::Sub(hn::Load(d, a + j + k), hn::Load(d, a + i + k));
+            hn::Store(hn::Add(difference, hn::Load(d, shifts + shift + k)), d, geometry + 4 * c + k);
+            hn::Store(hn::MulAdd(hn::Load(d, kSign + k), hn::Load(d, b + i + k), hn::Load(d, b + j + k)), d,
+                      rotation + 4 * c + k);
         }
     }
 }
 
 // The contact law on N lanes at once. Pairs that do not touch get f_n = 0, which also clears their history.
 template <bool kStress>
-HWY_INLINE void ContactLaw(FastState& s, const KernelConstants& k, double dt, int first, int count,
+HWY_INLINE void ContactLaw(const Arrays& s, const KernelConstants& k, double dt, int first, int count,
                            Staging& st, V* sum) {
     const D d;
     const V half = hn::Set(d, 0.5), zero = hn::Zero(d);
@@ -86,15 +108,15 @@ HWY_INLINE void ContactLaw(FastState& s, const KernelConstants& k, double dt, in
         const V slip = hn::NegMulAdd(dvy, nx, hn::Mul(dvx, ny));
         const V vt = hn::MulAdd(hn::Mul(r_sum, inv_dist), slip, rw_sum);
         const V ft_limit = hn::Mul(fn, friction);
-        V ft = hn::NegMulAdd(kt_dt, vt, hn::Load(d, &s.tangential[first + c]));
+        V ft = hn::NegMulAdd(kt_dt, vt, hn::Load(d, s.tangential + first + c));
         ft = hn::Max(hn::Min(ft, ft_limit), hn::Neg(ft_limit));
-        hn::Store(ft, d, &s.tangential[first + c]);
+        hn::Store(ft, d, s.tangential + first + c);
         // Incremental elastic-plastic rolling moment, limit eta min(r) f_n.
         const V m_limit = hn::Mul(hn::Mul(rolling_limit, hn::Sub(r_sum, hn::Abs(r_diff))), fn);
         V m = hn::NegMulAdd(hn::Mul(hn::Mul(rolling_dt, four_rr), kt_dt), dw,
-                            hn::Load(d, &s.moment[first + c]));
+                            hn::Load(d, s.moment + first + c));
         m = hn::Max(hn::Min(m, m_limit), hn::Neg(m_limit));
-        hn::Store(m, d, &s.moment[first + c]);
+        hn::Store(m, d, s.moment + first + c);
         const V fx = hn::MulAdd(fn, nx, hn::Mul(ft, ny)), fy = hn::NegMulAdd(ft, nx, hn::Mul(fn, ny));
         // n x f = -f_t, so both torques are +(r - overlap/2) f_t, and -+ M.
         const V arm_sum = hn::Sub(r_sum, overlap);
@@ -109,15 +131,17 @@ HWY_INLINE void ContactLaw(FastState& s, const KernelConstants& k, double dt, in
 }
 
 // Pair by pair, so two pairs of one grain never conflict; the pair order keeps neighbours in time apart.
-HWY_INLINE void Scatter(FastState& s, int first, int count, const Staging& st) {
+HWY_INLINE void Scatter(const Arrays& s, int first, int count, const Staging& st) {
     const D4 d;
     alignas(32) static constexpr double kOnI[4] = {-1, -1, 1, 0}, kOnJ[4] = {1, 1, 0, 1};
+    const std::uint16_t *HWY_RESTRICT pi = s.i + first, *HWY_RESTRICT pj = s.j + first;
+    double* force = s.force;
     for (int c = 0; c < count; ++c) {
-        const std::size_t i = 4 * s.i[first + c], j = 4 * s.j[first + c];
+        double *on_i = force + std::size_t{4} * pi[c], *on_j = force + std::size_t{4} * pj[c];
         for (std::size_t k = 0; k < 4; k += hn::Lanes(d)) {
             const auto f = hn::Load(d, st.force + 4 * c + k);
-            hn::Store(hn::MulAdd(f, hn::Load(d, kOnI + k), hn::Load(d, &s.force[i + k])), d, &s.force[i + k]);
-            hn::Store(hn::MulAdd(f, hn::Load(d, kOnJ + k), hn::Load(d, &s.force[j + k])), d, &s.force[j + k]);
+            hn::Store(hn::MulAdd(f, hn::Load(d, kOnI + k), hn::Load(d, on_i + k)), d, on_i + k);
+            hn::Store(hn::MulAdd(f, hn::Load(d, kOnJ + k), hn::Load(d, on_j + k)), d, on_j + k);
         }
     }
 }
@@ -126,12 +150,13 @@ template <bool kStress>
 HWY_INLINE void ForceLoop(FastState& s, const KernelConstants& k, double dt, V* sum) {
     std::fill(s.force.begin(), s.force.end(), 0.0);
     const ImageTable images(s);
+    const Arrays arrays(s);
     Staging staging;
     for (int first = 0; first < s.slots; first += kBlock) {
         const int count = std::min(kBlock, s.slots - first);
-        Stage(s, images, first, count, staging);
-        ContactLaw<kStress>(s, k, dt, first, count, staging, sum);
-        Scatter(s, first, count, staging);
+        Stage(arrays, images, first, count, staging);
+        ContactLaw<kStress>(arrays, k, dt, first, count, staging, sum);
+        Scatter(arrays, first, count, staging);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "dem/fast_packing.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 
@@ -42,6 +43,7 @@ void load(const Packing& p, const Material& material, FastState& s) {
     if (n > kLargest) throw std::invalid_argument("the fast kernel takes at most 65,000 grains a packing");
     resize_grains(s, n);
     for (int g = 0; g < n; ++g) load_grain(p, material, g, s);
+    s.radius_max = n > 0 ? *std::max_element(p.r.begin(), p.r.end()) : 0;
     place_padding_grains(s);
     s.H = s.H_force = p.H, s.L = p.L, s.LH = p.L * p.H;
     s.pairs = s.slots = 0;

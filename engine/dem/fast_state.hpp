@@ -13,6 +13,7 @@ namespace sandgraph::dem {
 struct FastState {
     static constexpr int kLanes = 8;  // arrays are padded to this many grains or pairs
 
+    double radius_max = 0;                          // [m]
     int grains = 0;                                 // N
     Aligned<double> a, b;                           // [4 (N + pad)]
     Aligned<double> inverse_mass, inverse_inertia;  // [N + pad]; padding grains have 0

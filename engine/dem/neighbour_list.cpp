@@ -34,12 +34,6 @@ void pad(FastState& s, int slot) {
     s.image[slot] = 4;
 }
 
-double largest_radius(const FastState& s) {
-    double out = 0;
-    for (int g = 0; g < s.grains; ++g) out = std::max(out, s.b[4 * g]);
-    return out;
-}
-
 }  // namespace
 
 void NeighbourList::rebuild(FastState& state) {
@@ -54,7 +48,6 @@ void NeighbourList::relist(FastState& s, const std::vector<Contact>& history) {
     collect(s, history, r.U_inverse);
     list_pairs(s, search_.find(s.a.data(), s.b.data(), s.grains, s.H, gap_));
     place_padding_grains(s);  // the vector loops over grains may have touched them
-    reach_ = 2 * largest_radius(s) + gap_;
     s.approach = 0;
 }
 
@@ -108,7 +101,7 @@ void NeighbourList::list_pairs(FastState& s, const std::vector<NearPair>& pairs)
 }
 
 double NeighbourList::approach(const FastState& s, double speed2, double dt) const {
-    return dt * (2 * std::sqrt(speed2) + s.L.norm() * reach_);
+    return dt * (2 * std::sqrt(speed2) + s.L.norm() * (2 * s.radius_max + gap_));
 }
 
 }  // namespace sandgraph::dem

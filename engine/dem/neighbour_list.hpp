@@ -31,7 +31,7 @@ class NeighbourList {
     void list_pairs(FastState& state, const std::vector<NearPair>& pairs);
     const Contact* find(const NearPair& pair) const;
 
-    double gap_, reach_ = 0;
+    double gap_;
     NeighbourSearch search_;
     std::vector<Contact> history_, old_;  // old_: by first grain, image counters in the new cell
     std::vector<int> first_;              // [N + 1] start of each grain's contacts in old_

@@ -1,0 +1,48 @@
+#pragma once
+#include <memory>
+#include <numeric>
+
+#include "mpm/boundary.hpp"
+#include "mpm/contact.hpp"
+#include "mpm/grid.hpp"
+#include "mpm/grid_to_points.hpp"
+#include "mpm/order.hpp"
+#include "mpm/plate.hpp"
+#include "mpm/points.hpp"
+#include "stress/law.hpp"
+
+namespace sandgraph::graph {
+
+// Settings of a step that stay the same all run long.
+struct StepSettings {
+    double dt = 0;       // [s]
+    double pic = 0;      // share of PIC in the velocity update
+    double damping = 0;  // local grid damping
+    double mass_scaling = 1;
+    double gravity = 9.81;  // [m/s2], downwards
+    double surcharge = 0;   // [Pa]
+    mpm::Boundaries boundaries;
+};
+
+// Everything that changes from step to step: the typed state that the phases work on.
+struct GroundState {
+    GroundState(StepSettings step_settings, mpm::Points ground, const mpm::GridShape& shape);
+
+    StepSettings settings;
+    mpm::Points points;
+    mpm::Grid grid;
+    mpm::Order order;
+    bool has_plate = false;
+    mpm::RigidPlate plate;
+    mpm::Contact contact;
+    std::unique_ptr<stress::Law> law;
+    std::vector<std::int32_t> all_points;  // 0 .. N-1, the law's batch
+    mpm::Status status;
+    double stress_work = 0;  // accumulated sum of V sigma : d(eps), mid-step [J/m]
+    double work_before = 0;  // this step's half, with the old stress
+
+    stress::Batch batch() { return {all_points, points.F_inc, points.stress, settings.dt}; }
+    void archive(Archive& a);
+};
+
+}  // namespace sandgraph::graph

@@ -1,0 +1,142 @@
+#include "graph/rve_law.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace sandgraph::graph {
+namespace {
+
+constexpr std::size_t kPredictGrain = 1024;  // points a task of the cheap loop
+
+double norm(const Stress& s) { return std::sqrt(s.xx * s.xx + s.yy * s.yy + 2 * s.xy * s.xy); }
+
+void add(Stress& s, const Stress& d) { s.xx += d.xx, s.yy += d.yy, s.xy += d.xy; }
+
+Stress elastic_change(const PlaneModuli& m, const Mat2& F_inc) {
+    const double xx = F_inc(0, 0) - 1, yy = F_inc(1, 1) - 1, xy = 0.5 * (F_inc(0, 1) + F_inc(1, 0));
+    const double mean = m.bulk * (xx + yy), half = m.shear * (xx - yy);
+    return {mean + half, mean - half, 2 * m.shear * xy};
+}
+
+// Turns with the point by the small angle w (Jaumann); exact rotation comes with the next DEM update.
+void turn(Stress& s, double w) {
+    const double xy = s.xy, difference = s.xx - s.yy;
+    s.xx -= 2 * w * xy, s.yy += 2 * w * xy, s.xy += w * difference;
+}
+
+}  // namespace
+
+RveLaw::RveLaw(RveLawSetup setup) : setup_(std::move(setup)) {
+    const std::size_t n = setup_.row_of_point.size();
+    rves_.reserve(n);
+    for (const std::int32_t row : setup_.row_of_point)
+        rves_.emplace_back(setup_.rows[static_cast<std::size_t>(row)].packing);
+    collected_.assign(n, Mat2::Identity());
+    change_.resize(n);
+    allowance_.assign(n, setup_.update_tolerance);
+}
+
+void RveLaw::initialise(const stress::Batch& batch) {
+    for (const std::int32_t p : batch.points) batch.stress[p] = tension_positive(rves_[p].stress());
+}
+
+double RveLaw::p_wave_modulus() const {
+    double out = 0;
+    for (const RowPacking& row : setup_.rows) out = std::max(out, row.moduli.p_wave());
+    return out;
+}
+
+double RveLaw::scale(const Stress& s) const {
+    return std::max(mean_stress(s), setup_.options.pressure_floor);
+}
+
+void RveLaw::update(const stress::Batch& batch) {
+    predict(batch);
+    route(batch);
+    drive(batch);
+}
+
+void RveLaw::predict(const stress::Batch& batch) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batch.points.size(), kPredictGrain),
+                      [&](const auto& range) {
+                          for (std::size_t k = range.begin(); k < range.end(); ++k) {
+                              const std::int32_t p = batch.points[k];
+                              predict_point(p, batch.F_inc[p], batch.stress[p]);
+                          }
+                      });
+}
+
+void RveLaw::predict_point(std::int32_t point, const Mat2& F_inc, Stress& s) {
+    const PlaneModuli& moduli = setup_.rows[static_cast<std::size_t>(setup_.row_of_point[point])].moduli;
+    const Stress d = elastic_change(moduli, F_inc);
+    collected_[point] = F_inc * collected_[point];
+    add(change_[point], d);
+    if (rves_[point].floating()) return;
+    turn(s, 0.5 * (F_inc(1, 0) - F_inc(0, 1)));
+    add(s, d);
+}
+
+void RveLaw::route(const stress::Batch& batch) {
+    due_.clear();
+    for (const std::int32_t p : batch.points) {
+        const double reference = scale(batch.stress[p]), change = norm(change_[p]);
+        // Not `change <= tolerance`: a NaN must reach the packing, which refuses it by name.
+        if (change < allowance_[p] * reference) continue;
+        due_.push_back({p, rves_[p].floating() ? 0 : change / std::sqrt(reference)});
+    }
+    std::stable_sort(due_.begin(), due_.end(),
+                     [](const Due& a, const Due& b) { return a.expected_steps > b.expected_steps; });
+}
+
+void RveLaw::drive(const stress::Batch& batch) {
+    reports_.resize(due_.size());
+    errors_.resize(due_.size());
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, due_.size(), 1),
+        [&](const auto& range) {
+            for (std::size_t slot = range.begin(); slot < range.end(); ++slot) drive_point(slot, batch);
+        },
+        tbb::simple_partitioner());
+    for (std::size_t slot = 0; slot < due_.size(); ++slot) {
+        const dem::RveReport& r = reports_[slot];
+        ++counters_.updates;
+        counters_.dem_steps += r.dem_steps;
+        counters_.failures +=
+            r.status == dem::RveStatus::bad_increment || r.status == dem::RveStatus::diverged;
+        counters_.prediction_error_sum += errors_[slot];
+        counters_.inertial_number_max = std::max(counters_.inertial_number_max, r.inertial_number);
+    }
+}
+
+// Step-size control as for an ODE: the prediction's error grows about with the square of the change.
+double RveLaw::next_allowance(double change, double error) const {
+    const double factor =
+        std::clamp(0.9 * std::sqrt(setup_.update_tolerance / std::max(error, 1e-12)), 0.25, 2.0);
+    return std::clamp(change * factor, 0.5 * setup_.update_tolerance, setup_.update_change_max);
+}
+
+void RveLaw::drive_point(std::size_t slot, const stress::Batch& batch) {
+    const std::int32_t p = due_[slot].point;
+    reports_[slot] = rves_[p].update(collected_[p], setup_.material, setup_.options, workspaces_.local());
+    const Stress predicted = batch.stress[p], now = tension_positive(rves_[p].stress());
+    const double reference = scale(now), change = norm(change_[p]) / reference;
+    errors_[slot] = norm({now.xx - predicted.xx, now.yy - predicted.yy, now.xy - predicted.xy}) / reference;
+    allowance_[p] = next_allowance(change, errors_[slot]);
+    batch.stress[p] = now;
+    collected_[p].setIdentity();
+    change_[p] = {};
+}
+
+std::size_t RveLaw::owning() const {
+    return static_cast<std::size_t>(
+        std::count_if(rves_.begin(), rves_.end(), [](const dem::Rve& r) { return r.owns_packing(); }));
+}
+
+double RveLaw::porosity(std::size_t point) const {
+    return 1 - (1 - rves_[point].porosity()) / collected_[point].determinant();
+}
+
+}  // namespace sandgraph::graph

@@ -1,0 +1,84 @@
+#pragma once
+#include <tbb/enumerable_thread_specific.h>
+
+#include <memory>
+#include <vector>
+
+#include "dem/rve.hpp"
+#include "stress/law.hpp"
+
+namespace sandgraph::graph {
+
+// Isotropic small-strain stiffness of a packing in the plane [Pa]: s = K tr(e) I + 2 G dev(e).
+struct PlaneModuli {
+    double bulk = 0, shear = 0;
+    double p_wave() const { return bulk + shear; }
+};
+
+// The packing that all points of one depth row start from.
+struct RowPacking {
+    std::shared_ptr<const dem::CompactPacking> packing;
+    PlaneModuli moduli;
+};
+
+struct RveLawSetup {
+    dem::Material material;
+    dem::RveOptions options;
+    std::vector<RowPacking> rows;
+    std::vector<std::int32_t> row_of_point;  // [points]
+    double update_tolerance = 0.005;         // error of the predicted stress aimed at, as a share of p
+    double update_change_max = 0.05;  // largest predicted stress change between two DEM updates, share of p
+};
+
+struct RveCounters {
+    std::int64_t dem_steps = 0, updates = 0, failures = 0;
+    double prediction_error_sum = 0;  // sum over updates of |predicted - DEM|/max(p, floor)
+    double inertial_number_max = 0;
+};
+
+// A packing of grains at every material point, behind the stress contract. Between two DEM updates a point's
+// stress follows its small-strain stiffness. How far that prediction may move the stress before the grains
+// are asked is each point's own allowance: it grows while predictions come true and shrinks where they do
+// not, so that the error stays near the tolerance. Quiet points cost nothing and own no packing.
+class RveLaw : public stress::Law {
+  public:
+    explicit RveLaw(RveLawSetup setup);
+    void initialise(const stress::Batch& batch) override;
+    void update(const stress::Batch& batch) override;  // predict, route, drive in turn
+    double p_wave_modulus() const override;
+    void archive(Archive& a) override;
+
+    // The three stages, for the step graph.
+    void predict(const stress::Batch& batch);  // all points: stress and collected deformation
+    void route(const stress::Batch& batch);    // which points need their grains, longest expected first
+    void drive(const stress::Batch& batch);    // DEM updates, in parallel; stress to owned slots
+
+    const RveCounters& counters() const { return counters_; }
+    std::size_t owning() const;  // points that own a packing
+    const dem::Rve& rve(std::size_t point) const { return rves_[point]; }
+    // Deformation since the last DEM update is not in the packing yet; this includes it.
+    double porosity(std::size_t point) const;
+
+  private:
+    struct Due {
+        std::int32_t point;
+        double expected_steps;
+    };
+    double scale(const Stress& s) const;  // max(p, pressure floor)
+    void predict_point(std::int32_t point, const Mat2& F_inc, Stress& s);
+    double next_allowance(double change, double error) const;
+    void drive_point(std::size_t slot, const stress::Batch& batch);
+
+    RveLawSetup setup_;
+    std::vector<dem::Rve> rves_;
+    std::vector<Mat2> collected_;    // by point: deformation since its last DEM update
+    std::vector<Stress> change_;     // by point: predicted stress change since then
+    std::vector<double> allowance_;  // by point: predicted change at which the grains are asked, share of p
+    std::vector<Due> due_;
+    std::vector<dem::RveReport> reports_;                         // by slot of due_
+    std::vector<double> errors_;                                  // by slot of due_
+    tbb::enumerable_thread_specific<dem::Workspace> workspaces_;  // scratch, no state
+    RveCounters counters_;
+};
+
+}  // namespace sandgraph::graph
