@@ -8,7 +8,7 @@ namespace sandgraph::dem {
 namespace {
 
 constexpr int servo_interval = 10;       // steps
-constexpr double servo_response = 1e-3;  // [s]
+constexpr double servo_response = 5e-4;  // [s]
 constexpr int hold = 1000;               // steps within the tolerance before a pressure counts as reached
 constexpr int relax_interval = 500;      // steps
 
