@@ -15,13 +15,19 @@ struct Factors {
     double dt, gx, gy, damping, per_scaling, floor;
 };
 
+// Damping force. `v` is the velocity that the undamped step would end with: the sign of a node's velocity at
+// rest would be that of round-off, and the damping of its first motion a matter of luck.
+double against(double v, double f, double damping) {
+    return v != 0 ? std::copysign(damping * std::fabs(f), v) : 0;
+}
+
 Motion moved(const Node& n, const Factors& k) {
     if (n.mass <= k.floor) return {};
     const double per_mass = 1 / n.mass, vx = n.px * per_mass, vy = n.py * per_mass;
     const double fx = n.fx + n.mass * k.gx, fy = n.fy + n.mass * k.gy;
-    const double dx = vx != 0 ? std::copysign(k.damping * std::fabs(fx), vx) : 0;
-    const double dy = vy != 0 ? std::copysign(k.damping * std::fabs(fy), vy) : 0;
-    const double ax = (fx - dx) * per_mass * k.per_scaling, ay = (fy - dy) * per_mass * k.per_scaling;
+    const double per_inertia = per_mass * k.per_scaling;
+    const double ax = (fx - against(vx + k.dt * fx * per_inertia, fx, k.damping)) * per_inertia;
+    const double ay = (fy - against(vy + k.dt * fy * per_inertia, fy, k.damping)) * per_inertia;
     return {vx + k.dt * ax, vy + k.dt * ay, ax, ay};
 }
 

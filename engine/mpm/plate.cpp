@@ -5,8 +5,13 @@ namespace sandgraph::mpm {
 Divide divide_of(const RigidPlate& plate) {
     const bool along_x = plate.half_width >= plate.half_height;
     const double middle = along_x ? plate.x : plate.y, half = along_x ? plate.half_width : plate.half_height;
-    return {true,          along_x,       along_x ? plate.y : plate.x,
-            middle - half, middle + half, along_x ? plate.half_height : plate.half_width, 0};
+    return {true,
+            along_x,
+            along_x ? plate.y : plate.x,
+            middle - half,
+            middle + half,
+            along_x ? plate.half_height : plate.half_width,
+            0};
 }
 
 void advance(RigidPlate& plate, double dt) {
