@@ -11,6 +11,7 @@ FastAssembly::FastAssembly(const Packing& packing, const Material& material)
     : material_(material), constants_(kernel_constants(material)) {
     load(packing, material, state_);
     neighbours_.relist(state_, packing.contacts);
+    stress_ = love_weber_stress(packing, contact_forces(packing, material), material);
 }
 
 void FastAssembly::step(const Mat2& L, double dt, int count) {

@@ -28,7 +28,8 @@ struct LoadRow {
     double d_over_B = 0, load = 0;               // [-], [N/m]
     double top = 0, bottom = 0;                  // contact force on the leading and trailing face [N/m]
     double time = 0;                             // [s]
-    double kinetic_energy = 0, strain_work = 0;  // [J/m]
+    double kinetic_energy = 0, strain_work = 0;  // strain_work: sum V sigma:d_eps since the start [J/m]
+    double plate_work = 0;                       // done by the plate since the start [J/m]
     double rve_active = 0;                       // points that own a packing
     double dem_steps = 0;                        // cumulated
 };

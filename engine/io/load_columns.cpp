@@ -7,7 +7,7 @@
 namespace sandgraph::io {
 namespace {
 
-constexpr std::array<LoadColumn, 9> columns{{
+constexpr std::array<LoadColumn, 10> columns{{
     {"d_over_B", "d_over_B", "-", &LoadRow::d_over_B},
     {"load", "load_N_per_m", "N/m", &LoadRow::load},
     {"top", "top_N_per_m", "N/m", &LoadRow::top},
@@ -15,6 +15,7 @@ constexpr std::array<LoadColumn, 9> columns{{
     {"time", "time_s", "s", &LoadRow::time},
     {"kinetic_energy", "kinetic_energy_J_per_m", "J/m", &LoadRow::kinetic_energy},
     {"strain_work", "strain_work_J_per_m", "J/m", &LoadRow::strain_work},
+    {"plate_work", "plate_work_J_per_m", "J/m", &LoadRow::plate_work},
     {"rve_active", "rve_active", "-", &LoadRow::rve_active},
     {"dem_steps", "dem_steps", "-", &LoadRow::dem_steps},
 }};

@@ -81,7 +81,9 @@ void add_stepping_keys(KeyTable& keys, RveStepping& r) {
     rve.real("pressure_floor", r.pressure_floor, "Pa", above(0),
              "p below which the bound on I stops tightening");
     rve.real("update_tolerance", r.update_tolerance, "", at_least(0),
-             "predicted stress change between updates / p; 0 updates at every step");
+             "error aimed at of the stress predicted between updates, share of p; 0: no prediction");
+    rve.real("update_change_max", r.update_change_max, "", at_least(0),
+             "largest predicted stress change between updates, share of p");
     rve.integer("steps_min", r.steps_min, 1, "DEM steps of an update at least");
 }
 

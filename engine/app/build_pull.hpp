@@ -1,0 +1,20 @@
+#pragma once
+#include <memory>
+
+#include "app/prepare_ground.hpp"
+#include "graph/pull.hpp"
+#include "scene/scene.hpp"
+
+namespace sandgraph::app {
+
+// The simulation of a checked scene on prepared ground, at rest before the first step.
+std::unique_ptr<graph::Pull> build_pull(const scene::Scene& scene, const PreparedGround& ground);
+
+// H [m], and B gamma H [N/m], the load that N_gamma counts in.
+double embedment(const scene::Anchor& anchor);
+double unit_load(const scene::Scene& scene, const PreparedGround& ground);
+
+// Loads of a half model are doubled here and nowhere else.
+double whole_plate_factor(const scene::Scene& scene);
+
+}  // namespace sandgraph::app

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <thread>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "app/run_pictures.hpp"
+#include "app/run_session.hpp"
+#include "app/run_summary.hpp"
+#include "app/stage_progress.hpp"
+#include "base/error.hpp"
+#include "io/checkpoint.hpp"
+#include "io/xdmf.hpp"
+#include "scene/read_scene.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::string scene, folder, mode;
+    std::vector<std::string> set;
+    int threads = 0;
+    bool resume = false;
+    double until = 0;
+};
+
+scene::Scene scene_of(const Arguments& a) {
+    std::vector<std::string> overrides = a.set;
+    if (!a.mode.empty()) overrides.push_back("mode=" + a.mode);
+    const scene::Scene scene = scene::read_scene(a.scene, overrides);
+    if (scene.mode == scene::Mode::screening)
+        throw InputError({a.scene, 0}, "mode = \"screening\"", "no trained surrogate is part of this version",
+                         "run with mode = \"full\"");
+    if (!scene.anchor.present)
+        throw InputError({a.scene, 0}, "anchor.present = false", "`run` pulls an anchor",
+                         "give the scene an [anchor]");
+    return scene;
+}
+
+RunOptions options_of(const Arguments& a, const scene::Scene& scene) {
+    RunOptions o;
+    o.folder = !a.folder.empty()              ? fs::path(a.folder)
+               : !scene.output.folder.empty() ? fs::path(scene.output.folder)
+                                              : fs::path("out") / fs::path(a.scene).stem();
+    o.threads = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
+    o.until = a.until > 0 ? std::min(a.until, scene.anchor.pull_to) : scene.anchor.pull_to;
+    o.resume = a.resume;
+    if (o.resume && !fs::exists(o.folder / io::checkpoint_name) &&
+        !fs::exists(io::previous_checkpoint(o.folder / io::checkpoint_name)))
+        throw InputError({o.folder.string(), 0}, "nothing to resume", "there is no checkpoint in this folder",
+                         "run without --resume, or give the run's folder with -o");
+    return o;
+}
+
+PreparedGround prepare(const scene::Scene& scene) {
+    StageProgress progress;
+    return prepare_ground(scene,
+                          [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+}
+
+// What is left to do when the plate has gone all the way.
+void finish(const RunSession& session, const RunOptions& o, const scene::Scene& scene,
+            const PreparedGround& ground) {
+    const io::Summary summary = summarise(session, scene, ground, o.threads);
+    io::write_summary(o.folder / "summary.json", summary);
+    io::write_xdmf(o.folder / "fields.xdmf", session.frame_file());
+    fmt::print("{}", summary_text(summary, scene, ground));
+    if (scene.output.pictures) fmt::print("{}\n", draw_pictures(o.folder, session, scene, ground, summary));
+    fmt::print("results in {}\n", o.folder.string());
+}
+
+int run(const Arguments& a) {
+    const scene::Scene scene = scene_of(a);
+    const RunOptions options = options_of(a, scene);
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(options.threads));
+    const PreparedGround ground = prepare(scene);
+    RunSession session(scene, ground, options);
+    if (session.run() == RunEnd::interrupted) {
+        fmt::print(stderr, "stopped at d/B {:.4f}; go on with: sandgraph run {} -o {} --resume\n",
+                   session.pull().d_over_B(), a.scene, options.folder.string());
+        return exit_stopped_early;
+    }
+    finish(session, options, scene, ground);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& exit_code) {
+    auto a = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("run", "simulates one scene");
+    command->add_option("scene", a->scene, "TOML file; `sandgraph keys` lists its keys")->required();
+    command->add_option("-o,--out", a->folder, "run folder (default: out/<name of the scene file>)");
+    command->add_option("--mode", a->mode, "full or screening, instead of the scene's");
+    command->add_option("--set", a->set, "section.key=value, instead of the scene's; may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--threads", a->threads, "default: all cores")->check(CLI::Range(1, 1024));
+    command->add_option("--until", a->until, "stop at this d/B")->check(CLI::PositiveNumber);
+    command->add_flag("--resume", a->resume, "go on from the folder's last checkpoint");
+    command->callback([a, &exit_code] { exit_code = run(*a); });
+}
+
+}  // namespace sandgraph::app

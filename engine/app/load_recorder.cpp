@@ -1,0 +1,52 @@
+#include "app/load_recorder.hpp"
+
+#include <algorithm>
+
+#include "graph/rve_law.hpp"
+#include "mpm/audit.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+constexpr double kQuasiStaticFrom = 0.005;  // d/B; before it the plate has done no work to compare with
+
+}  // namespace
+
+std::optional<io::LoadRow> LoadRecorder::after_step(const graph::Pull& pull) {
+    const graph::GroundState& s = pull.state();
+    load_ += factor_ * pull.load(), leading_ += factor_ * pull.leading(),
+        trailing_ += factor_ * pull.trailing();
+    plate_work_ += factor_ * mpm::plate_work(s.plate, s.contact.reaction, s.settings.dt);
+    steps_ += 1;
+    if (pull.d_over_B() < next_) return std::nullopt;
+    io::LoadRow out = row(pull, load_ / steps_);
+    if (pull.d_over_B() >= kQuasiStaticFrom)
+        kinetic_share_max_ = std::max(kinetic_share_max_, out.kinetic_energy / std::max(plate_work_, 1e-300));
+    while (next_ <= pull.d_over_B()) next_ += every_;
+    steps_ = load_ = leading_ = trailing_ = 0;
+    return out;
+}
+
+io::LoadRow LoadRecorder::row(const graph::Pull& pull, double load) const {
+    const graph::GroundState& s = pull.state();
+    io::LoadRow out;
+    out.d_over_B = pull.d_over_B(), out.load = load, out.time = pull.time();
+    out.top = leading_ / steps_, out.bottom = trailing_ / steps_;
+    out.kinetic_energy = factor_ * mpm::kinetic_energy(s.points, s.settings.mass_scaling);
+    out.strain_work = factor_ * s.stress_work;
+    out.plate_work = plate_work_;
+    if (const auto* rve = dynamic_cast<const graph::RveLaw*>(s.law.get())) {
+        out.rve_active = static_cast<double>(rve->owning());
+        out.dem_steps = static_cast<double>(rve->counters().dem_steps);
+    }
+    return out;
+}
+
+void LoadRecorder::archive(Archive& a) {
+    std::vector<double> v = {next_, steps_, load_, leading_, trailing_, plate_work_, kinetic_share_max_};
+    a.field("load_recorder", v);
+    next_ = v.at(0), steps_ = v.at(1), load_ = v.at(2), leading_ = v.at(3), trailing_ = v.at(4);
+    plate_work_ = v.at(5), kinetic_share_max_ = v.at(6);
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,56 @@
+#include "app/make_frame.hpp"
+
+#include "graph/rve_law.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+template <class Value>
+io::Field field(const char* name, const char* unit, int components, std::size_t points, Value value) {
+    io::Field out{name, unit, components, {}};
+    out.values.reserve(points * static_cast<std::size_t>(components));
+    for (std::size_t p = 0; p < points; ++p)
+        for (const double v : value(p)) out.values.push_back(v);
+    return out;
+}
+
+using One = std::array<double, 1>;
+using Two = std::array<double, 2>;
+using Three = std::array<double, 3>;
+using Four = std::array<double, 4>;
+
+void add_rve_fields(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
+    frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) { return One{law.porosity(p)}; }));
+    frame.fields.push_back(field("owns packing", "-", 1, n,
+                                 [&](std::size_t p) { return One{double(law.rve(p).owns_packing())}; }));
+}
+
+}  // namespace
+
+io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, double initial_porosity) {
+    const graph::GroundState& s = pull.state();
+    const mpm::Points& g = s.points;
+    const std::size_t n = g.size();
+    io::Frame frame{pull.time(), pull.d_over_B(), s.plate.x, s.plate.y, g.x, g.y, {}};
+    frame.fields.push_back(field("displacement", "m", 2, n, [&](std::size_t p) {
+        return Two{g.x[p] - start[p].x(), g.y[p] - start[p].y()};
+    }));
+    frame.fields.push_back(field("F", "-", 4, n, [&](std::size_t p) {
+        return Four{g.F[p](0, 0), g.F[p](0, 1), g.F[p](1, 0), g.F[p](1, 1)};
+    }));
+    frame.fields.push_back(field("stress", "Pa", 3, n, [&](std::size_t p) {
+        return Three{-g.stress[p].xx, -g.stress[p].yy, -g.stress[p].xy};
+    }));
+    frame.fields.push_back(
+        field("p", "Pa", 1, n, [&](std::size_t p) { return One{mean_stress(g.stress[p])}; }));
+    frame.fields.push_back(field("q", "Pa", 1, n, [&](std::size_t p) { return One{deviator(g.stress[p])}; }));
+    if (const auto* rve = dynamic_cast<const graph::RveLaw*>(s.law.get()))
+        add_rve_fields(*rve, n, frame);
+    else
+        frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) {
+            return One{1 - (1 - initial_porosity) * g.volume0[p] / g.volume[p]};
+        }));
+    return frame;
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,12 @@
+#pragma once
+#include "graph/pull.hpp"
+#include "io/frame.hpp"
+
+namespace sandgraph::app {
+
+// The ground as it stands, with the fields of every frame: displacement [m], F [-] (xx, xy, yx, yy), stress
+// [Pa] (xx, yy, xy, compression positive), mean stress p and deviator q [Pa], porosity, and whether the point
+// owns a packing. `start`: where the points were before the first step.
+io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, double initial_porosity);
+
+}  // namespace sandgraph::app

@@ -1,0 +1,123 @@
+#include "app/run_session.hpp"
+
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "app/interrupt.hpp"
+#include "app/make_frame.hpp"
+#include "app/progress.hpp"
+#include "app/revision.hpp"
+#include "graph/rve_law.hpp"
+#include "io/checkpoint.hpp"
+#include "io/hash.hpp"
+#include "scene/scene_hash.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+constexpr double kSolidDensity =
+    2650;                          // quartz [kg/m3]: turns the density of a closed-form law into porosity
+constexpr double kReached = 1e-9;  // slack on d/B marks
+
+double cpu_clock() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::string hash_of(const scene::Scene& scene) { return io::hex(scene::scene_hash(scene)); }
+
+io::RunInfo info_of(const scene::Scene& scene, int threads) {
+    const char* mode = scene.mode == scene::Mode::full ? "full" : "screening";
+    return {scene.text, hash_of(scene), SANDGRAPH_VERSION, revision(), mode, threads};
+}
+
+io::RunFile open_file(const scene::Scene& scene, const RunOptions& o) {
+    return o.resume ? io::RunFile::resume(o.folder, info_of(scene, o.threads))
+                    : io::RunFile::create(o.folder, info_of(scene, o.threads));
+}
+
+std::vector<Vec2> positions(const mpm::Points& points) {
+    std::vector<Vec2> out;
+    for (std::size_t p = 0; p < points.size(); ++p) out.emplace_back(points.x[p], points.y[p]);
+    return out;
+}
+
+}  // namespace
+
+RunSession::RunSession(const scene::Scene& scene, const PreparedGround& ground, const RunOptions& options)
+    : scene_(scene),
+      options_(options),
+      pull_(build_pull(scene, ground)),
+      start_(positions(pull_->state().points)),
+      initial_porosity_(1 - ground.density / kSolidDensity),
+      loads_(scene.output.load_every, whole_plate_factor(scene)),
+      file_(open_file(scene, options)) {
+    if (options.resume) resume();
+}
+
+void RunSession::resume() {
+    io::CheckpointReader reader(options_.folder / io::checkpoint_name, hash_of(scene_));
+    if (!reader.notice().empty()) fmt::print(stderr, "{}\n", reader.notice());
+    archive(reader);
+}
+
+void RunSession::archive(Archive& a) {
+    pull_->archive(a);
+    loads_.archive(a);
+    file_.archive(a);
+    std::vector<double> clocks = {wall_seconds(), cpu_seconds(), static_cast<double>(next_frame_),
+                                  last_load_};
+    a.field("session", clocks);
+    if (!a.reading()) return;
+    wall_before_ = clocks.at(0), cpu_before_ = clocks.at(1);
+    next_frame_ = static_cast<std::size_t>(clocks.at(2)), last_load_ = clocks.at(3);
+}
+
+RunEnd RunSession::run() {
+    wall_start_ = last_checkpoint_ = wall_clock(), cpu_start_ = cpu_clock();
+    catch_interrupts();
+    Progress progress;
+    while (pull_->d_over_B() < options_.until - kReached && !interrupted()) {
+        pull_->step();
+        after_step();
+        const auto* rve = dynamic_cast<const graph::RveLaw*>(pull_->state().law.get());
+        progress.update({pull_->steps(), pull_->d_over_B(), options_.until, last_load_,
+                         rve ? static_cast<std::int64_t>(rve->owning()) : 0});
+    }
+    checkpoint();
+    return pull_->d_over_B() < options_.until - kReached ? RunEnd::interrupted : RunEnd::finished;
+}
+
+void RunSession::after_step() {
+    if (const auto row = loads_.after_step(*pull_)) {
+        last_load_ = row->load;
+        writer_.post([this, row] { file_.append(*row); });
+    }
+    const auto& marks = scene_.output.frames;
+    if (next_frame_ < marks.size() && pull_->d_over_B() >= marks[next_frame_] - kReached) record_frame();
+    if (wall_clock() - last_checkpoint_ > scene_.output.checkpoint_every) checkpoint();
+}
+
+void RunSession::record_frame() {
+    const auto& marks = scene_.output.frames;
+    while (next_frame_ < marks.size() && pull_->d_over_B() >= marks[next_frame_] - kReached) ++next_frame_;
+    auto frame = std::make_shared<io::Frame>(make_frame(*pull_, start_, initial_porosity_));
+    writer_.post([this, frame] { file_.append(*frame); });
+}
+
+void RunSession::checkpoint() {
+    writer_.drain();
+    for (const graph::PhaseTime& t : pull_->graph().times()) file_.set_timing(t.name, t.seconds);
+    io::CheckpointWriter out(options_.folder / io::checkpoint_name,
+                             {hash_of(scene_), revision(), pull_->d_over_B()});
+    archive(out);
+    out.commit();
+    last_checkpoint_ = wall_clock();
+}
+
+double RunSession::wall_seconds() const {
+    return wall_before_ + (wall_start_ > 0 ? wall_clock() - wall_start_ : 0);
+}
+double RunSession::cpu_seconds() const {
+    return cpu_before_ + (wall_start_ > 0 ? cpu_clock() - cpu_start_ : 0);
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,56 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/background_writer.hpp"
+#include "app/build_pull.hpp"
+#include "app/load_recorder.hpp"
+#include "io/run_file.hpp"
+
+namespace sandgraph::app {
+
+struct RunOptions {
+    std::filesystem::path folder;
+    int threads = 0;
+    double until = 0;  // d/B at which to stop
+    bool resume = false;
+};
+
+enum class RunEnd { finished, interrupted };
+
+// One simulation with its outputs: runs the pull, records loads and frames, keeps checkpoints.
+class RunSession {
+  public:
+    // Makes (or, resuming, opens) the run folder: call it when all input is checked.
+    RunSession(const scene::Scene& scene, const PreparedGround& ground, const RunOptions& options);
+    RunEnd run();
+
+    const graph::Pull& pull() const { return *pull_; }
+    const io::RunRecord& record() const { return file_.record(); }
+    const LoadRecorder& loads() const { return loads_; }
+    double wall_seconds() const;  // of this and the runs it resumed
+    double cpu_seconds() const;
+    std::filesystem::path frame_file() const { return file_.path(); }
+
+  private:
+    void after_step();
+    void record_frame();
+    void checkpoint();
+    void archive(Archive& a);
+    void resume();
+
+    scene::Scene scene_;
+    RunOptions options_;
+    std::unique_ptr<graph::Pull> pull_;
+    std::vector<Vec2> start_;      // points before the first step
+    double initial_porosity_ = 0;  // for laws without grains
+    LoadRecorder loads_;
+    io::RunFile file_;
+    std::size_t next_frame_ = 0;
+    double last_load_ = 0;
+    double wall_before_ = 0, cpu_before_ = 0, wall_start_ = 0, cpu_start_ = 0, last_checkpoint_ = 0;
+    BackgroundWriter writer_;  // last: it must stop before what its jobs use
+};
+
+}  // namespace sandgraph::app

@@ -1,0 +1,96 @@
+#include "app/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "app/revision.hpp"
+#include "graph/rve_law.hpp"
+#include "io/hash.hpp"
+#include "report/analytic.hpp"
+#include "report/peak.hpp"
+#include "scene/scene_hash.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+struct Curve {
+    std::vector<double> d, load;
+};
+
+Curve curve_of(const io::RunRecord& record) {
+    Curve c;
+    for (const io::LoadRow& row : record.load) c.d.push_back(row.d_over_B), c.load.push_back(row.load);
+    return c;
+}
+
+void add_loads(const RunSession& session, const scene::Scene& scene, const PreparedGround& ground,
+               io::Summary& s) {
+    const Curve curve = curve_of(session.record());
+    const report::Breakout breakout = report::breakout(curve.d, curve.load);
+    s.peak_load = breakout.load, s.peak_d_over_B = breakout.d_over_B;
+    s.n_gamma = breakout.load / unit_load(scene, ground);
+    s.late_load = report::late_load(curve.d, curve.load);
+    s.extra.emplace_back("breakout_criterion", static_cast<double>(breakout.kind));
+    if (ground.friction_angle <= 0) return;
+    s.n_gamma_meyerhof_adams = report::meyerhof_adams(scene.anchor.embedment_ratio, ground.friction_angle);
+    s.n_gamma_biarez = report::biarez(scene.anchor.embedment_ratio, ground.friction_angle);
+    s.extra.emplace_back("friction_angle_deg", ground.friction_angle * kDegrees);
+}
+
+void add_grains(const graph::Pull& pull, io::Summary& s) {
+    const auto* rve = dynamic_cast<const graph::RveLaw*>(pull.state().law.get());
+    if (!rve) return;
+    const graph::RveCounters& c = rve->counters();
+    s.dem_steps = c.dem_steps, s.rve_updates = c.updates;
+    s.dem_fraction_final = s.dem_fraction_mean = 1;  // full fidelity: every point is a packing
+    s.extra.emplace_back("rve_failures", static_cast<double>(c.failures));
+    s.extra.emplace_back("rve_owning_final", static_cast<double>(rve->owning()));
+    s.extra.emplace_back("prediction_error_mean",
+                         c.prediction_error_sum / std::max<double>(1, double(c.updates)));
+    s.extra.emplace_back("inertial_number_max", c.inertial_number_max);
+}
+
+}  // namespace
+
+io::Summary summarise(const RunSession& session, const scene::Scene& scene, const PreparedGround& ground,
+                      int threads) {
+    const graph::Pull& pull = session.pull();
+    io::Summary s;
+    s.points = static_cast<std::int64_t>(pull.state().points.size()), s.steps = pull.steps();
+    s.wall_s = session.wall_seconds(), s.cpu_s = session.cpu_seconds();
+    s.threads = threads, s.mode = session.record().info.mode, s.git = revision();
+    s.scene_hash = io::hex(scene::scene_hash(scene));
+    add_grains(pull, s);
+    if (!scene.anchor.present) return s;
+    add_loads(session, scene, ground, s);
+    s.kinetic_to_strain_energy_max = session.loads().kinetic_share_max();
+    s.extra.emplace_back("unit_load_N_per_m", unit_load(scene, ground));
+    s.extra.emplace_back("density_kg_per_m3", ground.density);
+    for (const auto& [phase, seconds] : session.record().timing)
+        s.extra.emplace_back("seconds " + phase, seconds);
+    return s;
+}
+
+std::string summary_text(const io::Summary& s, const scene::Scene& scene, const PreparedGround& ground) {
+    std::string out;
+    if (scene.anchor.present) {
+        const bool up = scene.anchor.orientation == scene::Orientation::horizontal;
+        out += fmt::format("breakout  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n", s.n_gamma,
+                           s.peak_d_over_B, s.peak_load / 1000);
+        if (ground.friction_angle > 0)
+            out +=
+                fmt::format("formula   N_gamma {:.2f}  ({}, phi = {:.1f} deg measured on the packing)\n",
+                            up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez,
+                            up ? "Meyerhof & Adams 1968" : "Biarez 1965", ground.friction_angle * kDegrees);
+        out += fmt::format("late load {:.1f} kN/m, kinetic energy at most {:.2g} of the plate's work\n",
+                           s.late_load / 1000, s.kinetic_to_strain_energy_max);
+    }
+    out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
+                       double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");
+    return out;
+}
+
+}  // namespace sandgraph::app
