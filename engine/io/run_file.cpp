@@ -36,13 +36,14 @@ std::int64_t archived_count(Archive& a, std::string_view name, std::size_t count
 }  // namespace
 
 RunFile::RunFile(fs::path folder, RunRecord record)
-    : folder_(std::move(folder)), record_(std::move(record)), csv_(folder_ / "load.csv", record_.load) {}
+    : folder_(std::move(folder)), record_(std::move(record)) {}
 
 RunFile RunFile::create(const fs::path& folder, const RunInfo& info) {
     fs::create_directories(folder);
     remove_stale(folder);
     RunFile run(folder, {info, {}, {}, {}, 0});
     run.commit();
+    run.rewrite_csv();
     return run;
 }
 
@@ -59,8 +60,9 @@ RunFile RunFile::resume(const fs::path& folder, const RunInfo& info) {
 fs::path RunFile::path() const { return folder_ / "run.h5"; }
 
 void RunFile::append(const LoadRow& row) {
+    if (!csv_) rewrite_csv();
     record_.load.push_back(row);
-    csv_.append(row);
+    csv_->append(row);
 }
 
 void RunFile::append(const Frame& frame) {
@@ -93,6 +95,8 @@ void RunFile::archive(Archive& a) {
     cut_back(static_cast<std::size_t>(rows), static_cast<std::size_t>(frames));
 }
 
+void RunFile::rewrite_csv() { csv_.emplace(folder_ / "load.csv", record_.load); }
+
 void RunFile::cut_back(std::size_t rows, std::size_t frames) {
     if (rows > record_.load.size() || frames > record_.frames)
         throw InputError({path().string()}, "run.h5 ends before the checkpoint",
@@ -102,7 +106,7 @@ void RunFile::cut_back(std::size_t rows, std::size_t frames) {
     record_.load.resize(rows);
     record_.frames = frames;
     commit();
-    csv_ = LoadCsv(folder_ / "load.csv", record_.load);
+    rewrite_csv();
 }
 
 }  // namespace sandgraph::io

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -36,12 +37,13 @@ class RunFile {
 
   private:
     RunFile(std::filesystem::path folder, RunRecord record);
+    void rewrite_csv();
     void cut_back(std::size_t rows, std::size_t frames);
 
     std::filesystem::path folder_;
     RunRecord record_;
     std::vector<Frame> pending_;  // not yet in run.h5
-    LoadCsv csv_;
+    std::optional<LoadCsv> csv_;  // opened by the first row, so that a refused resume leaves load.csv alone
 };
 
 }  // namespace sandgraph::io

@@ -41,7 +41,7 @@ std::string data_item(const std::string& file, const h5::Group& frame, const std
 
 std::string attribute(const std::string& file, const h5::Group& frame, const std::string& name) {
     const h5::Shape shape = h5::shape(frame, name);
-    const char* type = shape.size() == 1 ? "Scalar" : shape[1] == 3 ? "Vector" : "Matrix";
+    const char* type = shape.size() == 1 ? "Scalar" : "Matrix";
     return fmt::format(
         "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n          {}\n        "
         "</Attribute>\n",

@@ -142,6 +142,18 @@ TEST(RunFile, RefusesToResumeAnotherSceneOrAShorterRun) {
     EXPECT_THROW(fresh.archive(reader), InputError);
 }
 
+TEST(RunFile, RefusedResumeLeavesTheFolderAsItWas) {
+    const Scratch folder;
+    RunFile run = RunFile::create(folder / "out", info);
+    advance(run, 0, 5);
+    const std::string csv = test::contents(folder / "out/load.csv"),
+                      h5 = test::contents(folder / "out/run.h5");
+    RunFile again = RunFile::resume(folder / "out", info);
+    EXPECT_THROW(CheckpointReader(folder / "out/checkpoint.h5", info.scene_hash), InputError);
+    EXPECT_EQ(test::contents(folder / "out/load.csv"), csv);
+    EXPECT_EQ(test::contents(folder / "out/run.h5"), h5);
+}
+
 TEST(RunFile, NewRunRemovesTheResultsOfAnOlderOne) {
     const Scratch folder;
     fs::create_directories(folder / "out");
