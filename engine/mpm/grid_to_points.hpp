@@ -15,6 +15,9 @@ struct Status {
 
 // v_p = (1 - c)(v_p + dt sum_i S_ip a_i) + c sum_i S_ip v_i  (FLIP with a share c of PIC; v_i after the
 // update), x_p += dt sum_i S_ip v_i,  F_inc = I + dt sum_i v_i (x) grad S_ip,  F = F_inc F,  V = V0 det F.
+// Strain from v_i itself, not from point velocities projected once more (MUSL): that would keep 0.993 instead
+// of 0.906 of the energy of two colliding disks of 8 cells, but a plate's peak load is the same with 4 points
+// a cell and 1.5 % farther from the fine grid's with 1, for a second pass over the points.
 Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Points& points);
 
 }  // namespace sandgraph::mpm

@@ -12,8 +12,8 @@ struct GridStep {
     Boundaries boundaries;
 };
 
-// v = p/m, f += m g, f -= alpha |f| sign(v + dt f/(s m)) by component, a = f/(s m), v += dt a, then the boundaries.
-// Contact and surcharge forces are in f already, so that damping sees the unbalanced force alone.
+// v = p/m, f += m g, f -= alpha |f| sign(v + dt f/(s m)) by component, a = f/(s m), v += dt a, then the
+// boundaries. Contact and surcharge forces are in f already, so that damping sees the unbalanced force alone.
 void update_grid(const GridStep& step, Grid& grid);
 
 }  // namespace sandgraph::mpm

@@ -1,10 +1,12 @@
-// Point updates a second of the macro scale, stage by stage. Usage: bench_mpm_step [seconds per case]
+// Point updates a second of the macro scale, stage by stage, by wall clock. CPU/wall below the thread count:
+// the machine is shared, or the threads wait. Usage: bench_mpm_step [seconds per case]
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 
 #include "mpm/layout.hpp"
 #include "stress/elastic.hpp"
@@ -34,6 +36,7 @@ support::MacroModel make(const Case& c) {
     return model;
 }
 
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -63,13 +66,15 @@ void run(const Case& c, int threads, double budget) {
     support::MacroModel model = make(c);
     model.steps(20);
     int steps = 0;
+    const double cpu = cpu_seconds();
     const auto t = time_stages(model, budget, steps);
+    const double cpu_share = (cpu_seconds() - cpu) / ((t[0] + t[1] + t[2] + t[3]) * steps);
     const double n = static_cast<double>(model.points.size()), step = t[0] + t[1] + t[2];
     fmt::print(
         "{:7} points {} a cell {} threads: {:6.2f} M updates/s, {:6.2f} with the elastic law; "
-        "ns a point: to grid {:.1f}, grid {:.1f}, to points {:.1f}, law {:.1f}\n",
+        "ns a point: to grid {:.1f}, grid {:.1f}, to points {:.1f}, law {:.1f}; CPU/wall {:.2f}\n",
         model.points.size(), c.per_cell, threads, 1e-6 * n / step, 1e-6 * n / (step + t[3]), 1e9 * t[0] / n,
-        1e9 * t[1] / n, 1e9 * t[2] / n, 1e9 * t[3] / n);
+        1e9 * t[1] / n, 1e9 * t[2] / n, 1e9 * t[3] / n, cpu_share);
 }
 
 }  // namespace
