@@ -9,12 +9,8 @@
 #include "tests/unit/io/scratch.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
-#include <sanitizer/lsan_interface.h>
-using LeaksInHdf5 = __lsan::ScopedDisabler;
-#else
-struct LeaksInHdf5 {
-    ~LeaksInHdf5() {}
-};
+// HDF5 1.10.8 forgets a node when it refuses damaged metadata.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 #endif
 
 namespace sandgraph::io::h5 {
@@ -127,7 +123,6 @@ TEST(Hdf5Dataset, FlippedByteInPackedDataIsRefused) {
         file.close();
     }
     const std::string whole = test::contents(folder / "a.h5");
-    const LeaksInHdf5 known;  // the library forgets a node when it refuses damaged metadata (1.10.8)
     for (std::size_t at = 100; at < whole.size(); at += 37) {
         std::string bytes = whole;
         bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
