@@ -1,3 +1,4 @@
+#include <cassert>
 #include <cmath>
 
 #include "dem/element_test_sample.hpp"
@@ -48,6 +49,7 @@ void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test)
 }  // namespace
 
 std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test) {
+    assert(test.axial_rate > 0 && test.sample_strain > 0);
     compress(assembly, test);
     SampleOnStand sample(assembly, test.dt);
     StressServo width(test.modulus, servo_response, servo_memory, servo_limit * test.axial_rate);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -31,6 +32,7 @@ int drive(SampleOnStand& sample, StressServo& x, StressServo& y, const Isotropic
 }  // namespace
 
 std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& test) {
+    assert(test.pressure > 0 && test.rate > 0 && test.sample_every > 0 && test.dt > 0);
     assembly.step(Mat2::Zero(), test.dt, test.relax_steps);
     SampleOnStand sample(assembly, test.dt);
     StressServo x(test.modulus, servo_response, 0, test.rate), y = x;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 
 #include "dem/element_test_sample.hpp"
 
@@ -13,6 +14,7 @@ int stretch(std::int64_t at, int every, std::int64_t left) {
 }  // namespace
 
 std::vector<ElementRow> run_path(Assembly& assembly, const PathTest& test) {
+    assert(test.sample_every > 0 && test.dt > 0);
     assembly.step(Mat2::Zero(), test.dt, test.relax_steps);
     SampleOnStand sample(assembly, test.dt);
     std::vector<ElementRow> rows{sample.row()};

@@ -52,6 +52,14 @@ void check(const Recipe& recipe) {
     if (!(recipe.gas_porosity > recipe.porosity) || !(recipe.gas_porosity < 1))
         throw InputError(where, fmt::format("gas_porosity = {:g}", recipe.gas_porosity),
                          "a gas is looser than the packing made from it", "use 0.45");
+    if (!(recipe.porosity > 0) || !(recipe.tolerance > 0))
+        throw InputError(where, fmt::format("porosity = {:g} +- {:g}", recipe.porosity, recipe.tolerance),
+                         "both must be positive", "use 0.16 or 0.20 and 0.002");
+    if (!(recipe.pressure > 0) || !(recipe.rate > 0) || !(recipe.dt > 0))
+        throw InputError(where,
+                         fmt::format("pressure {:g} Pa, rate {:g} 1/s, time step {:g} s", recipe.pressure,
+                                     recipe.rate, recipe.dt),
+                         "all must be positive", "use 10 kPa, 1 1/s, 1e-5 s");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "dem/element_test.hpp"
+#include "dem/observe.hpp"
 #include "dem/prepare_stages.hpp"
 
 namespace sandgraph::dem {
@@ -33,7 +34,8 @@ struct Probe {
 
 Moduli small_strain_moduli(const Packing& packing, const Material& material, const AssemblyFactory& factory,
                            double dt) {
-    const double pressure = 0.5 * factory(packing, material)->stress().trace();
+    const double pressure =
+        0.5 * love_weber_stress(packing, contact_forces(packing, material), material).trace();
     const Probe probe{packing, calm(material), factory, dt,
                       probe_share * pressure / typical_modulus(packing, material)};
     const Mat2 iso = probe.stiffness(mode(1, 0, 1)), biaxial = probe.stiffness(mode(1, 0, -1)),

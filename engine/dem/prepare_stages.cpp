@@ -38,6 +38,7 @@ bool at_pressure(const Mat2& stress, const PressureStage& stage) {
 
 bool drive_to_pressure(Assembly& assembly, const PressureStage& stage, long max_steps,
                        const Progress& progress) {
+    assembly.step(Mat2::Zero(), stage.dt, 1);  // an assembly may know its stress only from a step on
     int held = 0;
     for (long step = 0; step < max_steps; step += servo_interval) {
         const Mat2 stress = assembly.stress();

@@ -69,6 +69,10 @@ TEST(RandomGas, RefusesImpossibleRecipes) {
     EXPECT_THROW(random_gas(recipe), InputError);
     recipe = Recipe{.grains = 3};
     EXPECT_THROW(random_gas(recipe), InputError);
+    recipe = Recipe{.pressure = 0};
+    EXPECT_THROW(random_gas(recipe), InputError);
+    recipe = Recipe{.tolerance = std::nan("")};
+    EXPECT_THROW(random_gas(recipe), InputError);
     recipe = Recipe{.gas_porosity = 0.1};
     EXPECT_THROW(random_gas(recipe), InputError);
 }
