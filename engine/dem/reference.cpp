@@ -5,10 +5,10 @@
 namespace sandgraph::dem {
 namespace {
 
+// a (1 - alpha sign(a (w + dt a / 2))); where the product is zero, so is a.
 double damped(double acceleration, double velocity, double dt, double alpha) {
     const double power = acceleration * (velocity + 0.5 * dt * acceleration);
-    const double sign = (power > 0) - (power < 0);
-    return acceleration * (1 - alpha * sign);
+    return acceleration * (1 - std::copysign(alpha, power));
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ ReferenceAssembly::ReferenceAssembly(const Packing& p, const Material& material)
         r_max_ = std::max(r_max_, r_[g]);
         r_sum += r_[g];
     }
-    skin_ = 0.15 * r_sum / static_cast<double>(p.size());
+    skin_ = 0.2 * r_sum / static_cast<double>(p.size());
     rebuild_pairs();
     restore_history(p.contacts);
 }
