@@ -6,12 +6,14 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
+#include "scene/toml_file.hpp"
 
 namespace sandgraph::scene {
 namespace {
 
 InputError::Where where_of(const toml::node& node, const std::string& file) {
-    return {file, static_cast<int>(node.source().begin.line)};
+    // The command line has no lines.
+    return {file, file == override_file ? 0 : static_cast<int>(node.source().begin.line)};
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/unit/app/subprocess.hpp"
+#include "tests/unit/app/bad_input.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -10,18 +10,6 @@ namespace {
 constexpr const char* header = "# {}\n# cell\n# 0.1 0 0 0.1\nid,x,y,r\n";
 constexpr const char* path_test =
     "kind = \"path\"\nrelax_steps = 0\n[[segment]]\nvelocity_gradient = [[-0.1, 0], [0, -0.1]]\nsteps = 10\n";
-
-// Exit code 2, exactly one line on stderr that starts with `where` and holds `problem`, a reason and a
-// suggestion.
-void expect_bad_input(const Shell::Outcome& outcome, const std::string& where, const std::string& problem) {
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(outcome.err.rfind(where + ": ", 0), 0u) << outcome.err;
-    EXPECT_NE(outcome.err.find(problem), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find(" ("), std::string::npos) << "no reason: " << outcome.err;
-    EXPECT_NE(outcome.err.find("; "), std::string::npos) << "no suggestion: " << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-}
 
 TEST(BadInput, UnknownKeyOfATest) {
     const Shell shell("unknown_key");

@@ -20,12 +20,12 @@ TEST(Override, NeedsNoInnerQuotes) {
 TEST(Override, LaterOnesWin) { EXPECT_EQ(with({"domain.width=5 m", "domain.width=6 m"}).domain.width, 6); }
 
 TEST(Override, PassesTheSameChecks) {
-    EXPECT_EQ(refused("", {"domain.cell=3"}).rfind("--set:", 0), 0u);
+    EXPECT_EQ(refused("", {"domain.cell=3"}).rfind("--set: ", 0), 0u);
     EXPECT_NE(refused("", {"domain.cell=3"}).find("domain.cell = 3 (no unit); write \"3 m\""),
               std::string::npos);
     EXPECT_NE(refused("", {"domain.sell=3 m"}).find("did you mean \"cell\"?"), std::string::npos);
     EXPECT_NE(refused("", {"domain.cell"}).find("write --set section.key=value"), std::string::npos);
-    EXPECT_EQ(refused("", {"anchor.embedment_ratio=-2"}).rfind("--set:", 0), 0u);
+    EXPECT_EQ(refused("", {"anchor.embedment_ratio=-2"}).rfind("--set: ", 0), 0u);
 }
 
 TEST(Override, StandsInTheTextThatRunsKeep) {

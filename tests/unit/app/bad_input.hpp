@@ -1,0 +1,23 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/app/subprocess.hpp"
+
+namespace sandgraph::app {
+
+// Exit code 2, exactly one line on stderr that starts with `where` and holds `problem`, a reason and a
+// suggestion.
+inline void expect_bad_input(const Shell::Outcome& outcome, const std::string& where,
+                             const std::string& problem) {
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind(where + ": ", 0), 0u) << outcome.err;
+    EXPECT_NE(outcome.err.find(problem), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(" ("), std::string::npos) << "no reason: " << outcome.err;
+    EXPECT_NE(outcome.err.find("; "), std::string::npos) << "no suggestion: " << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
+}  // namespace sandgraph::app
