@@ -9,6 +9,7 @@
 namespace sandgraph::dem {
 namespace {
 
+constexpr double kRoundOff = 1e-14;        // a stretch below it is none: a turn costs no DEM step
 constexpr double kLargestIncrement = 0.5;  // Hencky strain an update; beyond it something else is wrong
 
 bool usable(const Mat2& F) { return F.allFinite() && F.determinant() > 1e-3 && F.norm() < 10; }
@@ -24,7 +25,7 @@ double rate_limit(const CompactPacking& p, const Material& m, const RveOptions& 
 
 int step_count(const Mat2& strain, double rate, const RveOptions& o) {
     const double magnitude = strain.norm();
-    return std::max(o.steps_min, static_cast<int>(std::ceil(magnitude / (rate * o.time_step))));
+    return std::max(std::max(1, o.steps_min), static_cast<int>(std::ceil(magnitude / (rate * o.time_step))));
 }
 
 // `count` steps under the constant gradient L: move, forces, kick. Leaves forces and cell in step, so the
@@ -87,6 +88,7 @@ bool Rve::keep_floating(const Mat2& U) {
 
 RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOptions& options,
                      Workspace& work) {
+    if (hencky(stretch).norm() < kRoundOff) return {};
     const CompactPacking& before = packing();
     const double rate = rate_limit(before, material, options), dt = options.time_step;
     RveReport report;

@@ -1,0 +1,14 @@
+#pragma once
+#include "dem/prepare.hpp"
+#include "graph/pull.hpp"
+#include "graph/rve_law.hpp"
+
+namespace sandgraph::support {
+
+// A pull that takes a second: 8 x 8 cells of 0.25 m, a packing of 100 grains at every point, plate 1 m deep.
+std::unique_ptr<graph::Pull> small_pull();
+
+// Every bit that the simulation carries, as one text.
+std::string digest(const graph::Pull& pull);
+
+}  // namespace sandgraph::support

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include "dem/fast.hpp"
+#include "dem/observe.hpp"
+#include "dem/packing_csv.hpp"
+#include "dem/reference.hpp"
+#include "yade_reference.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+using test::yade_file;
+
+Packing dense() { return read_packing_csv(yade_file("packing_dense_p32.csv")); }
+Mat2 shear(double rate) { return (Mat2() << 0, rate, 0, 0).finished(); }
+
+// Smallest distance of two centres modulo the cell, since the fast kernel wraps its grains.
+double periodic_distance(const Mat2& H, const Vec2& a, const Vec2& b) {
+    double best = 1e300;
+    for (int image = 0; image < 25; ++image)
+        best = std::min(best, (a - b + H * Vec2(image / 5 - 2, image % 5 - 2)).norm());
+    return best;
+}
+
+TEST(FastKernel, MatchesTheReferenceStepOverAHundredSteps) {
+    const Material material;
+    ReferenceAssembly reference(dense(), material);
+    FastAssembly fast(dense(), material);
+    reference.step(shear(1), 1e-5, 100);
+    fast.step(shear(1), 1e-5, 100);
+    const Mat2 a = reference.stress(), b = fast.stress();
+    EXPECT_LE((a - b).norm(), 1e-9 * a.norm());
+    const Packing p = reference.packing(), q = fast.packing();
+    for (std::size_t g = 0; g < p.size(); ++g)
+        ASSERT_LE(periodic_distance(fast.cell(), {p.x[g], p.y[g]}, {q.x[g], q.y[g]}), 1e-9 * p.r[g]);
+}
+
+TEST(FastKernel, FollowsYadeThroughRelaxation) {
+    const test::Table yade = test::read_table("path_b_dense.csv");
+    FastAssembly fast(dense(), Material{});
+    fast.step(Mat2::Zero(), 1e-5, 2000);
+    EXPECT_LE((fast.stress() - yade.tensor(0, "s")).norm(), 1e-6 * yade.tensor(0, "s").norm());
+}
+
+TEST(FastKernel, ConservesMomentum) {
+    // Internal forces cancel, and without damping nothing else acts on the fluctuation velocities.
+    Material undamped;
+    undamped.damping = 0;
+    Packing p = dense();
+    FastAssembly fast(p, undamped);
+    fast.step(Mat2::Zero(), 1e-5, 500);
+    const Packing q = fast.packing();
+    double px = 0, py = 0, scale = 0;
+    for (std::size_t g = 0; g < q.size(); ++g) {
+        const double m = q.r[g] * q.r[g];
+        px += m * q.vx[g], py += m * q.vy[g], scale += m * std::hypot(q.vx[g], q.vy[g]);
+    }
+    EXPECT_GT(scale, 0);
+    EXPECT_LE(std::hypot(px, py), 1e-9 * scale);
+}
+
+TEST(FastKernel, RepeatsItselfBitForBit) {
+    FastAssembly a(dense(), Material{}), b(dense(), Material{});
+    a.step(shear(0.4), 1e-5, 3000);
+    for (int part = 0; part < 3; ++part) b.step(shear(0.4), 1e-5, 1000);
+    EXPECT_EQ(a.stress(), b.stress());
+    EXPECT_EQ(a.packing().x, b.packing().x);
+}
+
+TEST(FastKernel, ShowsTheObservablesOfItsLastForces) {
+    FastAssembly fast(dense(), Material{});
+    fast.step(shear(0.4), 1e-5, 2000);
+    EXPECT_LE((fast.observe().stress - fast.stress()).norm(), 1e-7 * fast.stress().norm());
+}
+
+TEST(CellReduction, LeavesTheStressAloneAndTheCellCompact) {
+    FastAssembly fast(dense(), Material{});
+    Mat2 before = Mat2::Zero();
+    double worst = 0;
+    for (int part = 0; part < 400; ++part) {  // to a shear strain of 4: several reductions
+        fast.step(shear(50), 1e-6, 200);
+        const Mat2 H = fast.cell();
+        worst = std::max(worst, std::abs(H.col(0).dot(H.col(1))) /
+                                    std::min(H.col(0).squaredNorm(), H.col(1).squaredNorm()));
+        before = fast.stress();
+    }
+    EXPECT_LT(worst, 0.75);
+    EXPECT_TRUE(before.allFinite());
+    EXPECT_NEAR(fast.cell().determinant(), dense().H.determinant(), 1e-9);
+}
+
+TEST(CellReduction, IsContinuousInStress) {
+    // The same packing in a sheared basis is the same packing.
+    Packing p = dense();
+    FastAssembly straight(p, Material{});
+    p.H.col(1) += 2 * p.H.col(0);
+    FastAssembly skewed(p, Material{});
+    straight.step(shear(0.4), 1e-5, 100);
+    skewed.step(shear(0.4), 1e-5, 100);
+    EXPECT_LE((straight.stress() - skewed.stress()).norm(), 1e-9 * straight.stress().norm());
+}
+
+}  // namespace
+}  // namespace sandgraph::dem
