@@ -5,6 +5,9 @@
 namespace sandgraph::mpm {
 namespace {
 
+// Shorter overlaps are round-off of two edges that meet, in shares of a point's half side.
+constexpr double shortest = 1e-9;
+
 struct Interval {
     double low, high;
     double length() const { return high - low; }
@@ -69,7 +72,7 @@ Touch find_touch(const RigidPlate& plate, const Points& points, std::int32_t id,
         const double length = horizontal(face) ? ox.length() : oy.length();
         const double depth = penetration(face, plate, body, domain, face_height(face, body, oy));
         if (depth <= 0) return {id, Face::none, 0, 0, {}};
-        if (length <= 0 || (best.face != Face::none && depth >= best.penetration)) continue;
+        if (length <= shortest * half || (best.face != Face::none && depth >= best.penetration)) continue;
         best = {id, face, depth, length, {}};
     }
     if (best.face != Face::none) best.reach = reach_of(best.face, domain, ox, oy, grid, {x, y});

@@ -109,6 +109,16 @@ TEST(Contact, ForcesOnTheSoilAndOnThePlateCancel) {
     EXPECT_LT((sum + e.contact.reaction.total()).norm(), 1e-12 * e.contact.reaction.total().norm() + 1e-7);
 }
 
+TEST(Contact, TakesEdgesThatMeetToRoundOffForNoOverlap) {
+    for (const double shift : {-1e-16, 1e-16, 1e-12}) {
+        Embedded e(0, 0);
+        e.plate.x += shift, e.plate.y += shift;
+        e.load();
+        EXPECT_LT(e.worst_force(), 1e-8 * 70e3 * cell);  // NaN is not less
+        for (const Touch& t : e.contact.touches) EXPECT_GT(t.length, 1e-10);
+    }
+}
+
 TEST(Contact, NeverPulls) {
     Embedded e(0.37, 0.21);
     e.plate.y += 0.02;  // a cavity of two centimetres below
