@@ -1,7 +1,7 @@
 // Point updates a second of the macro scale, stage by stage, by wall clock. CPU/wall below the thread count:
 // the machine is shared, or the threads wait. Usage: bench_mpm_step [seconds per case]
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <array>
 #include <chrono>
@@ -61,8 +61,6 @@ std::array<double, 4> time_stages(support::MacroModel& m, double budget, int& st
 }
 
 void run(const Case& c, int threads, double budget) {
-    const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                              static_cast<std::size_t>(threads));
     support::MacroModel model = make(c);
     model.steps(20);
     int steps = 0;
@@ -84,5 +82,8 @@ int main(int argc, char** argv) {
     const Case cases[] = {{128, 128, 1}, {100, 80, 1}, {256, 256, 1},
                           {64, 64, 4},   {50, 40, 4},  {128, 128, 4}};
     for (const Case& c : cases)
-        for (const int threads : {1, 2}) run(c, threads, budget);
+        for (const int threads : {1, 2}) {
+            oneapi::tbb::task_arena arena(threads);
+            arena.execute([&] { run(c, threads, budget); });
+        }
 }

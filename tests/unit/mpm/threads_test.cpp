@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include "mpm/contact.hpp"
 #include "mpm/grid_to_points.hpp"
@@ -12,9 +13,7 @@ namespace sandgraph::mpm {
 namespace {
 
 // Forty steps of a ground with frozen random stresses and a moving plate in it.
-Points run(int threads) {
-    const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                              static_cast<std::size_t>(threads));
+Points run() {
     Points points = support::random_ground(40, 80, 4, 9);
     Grid grid(support::grid_around(40, 80));
     RigidPlate plate{2.2, 4, 0.5, 0.05, {0, 0.5}, 0.5, 1e8, {}};
@@ -34,7 +33,13 @@ Points run(int threads) {
     return points;
 }
 
+Points run(int threads) {
+    oneapi::tbb::task_arena arena(threads);
+    return arena.execute([] { return run(); });
+}
+
 TEST(Threads, DoNotChangeABit) {
+    const oneapi::tbb::global_control four(oneapi::tbb::global_control::max_allowed_parallelism, 4);
     const Points one = run(1);
     for (const int threads : {2, 4}) {
         const Points many = run(threads);
