@@ -111,12 +111,14 @@ HWY_INLINE void ContactLaw(const Arrays& s, const KernelConstants& k, double dt,
         V ft = hn::NegMulAdd(kt_dt, vt, hn::Load(d, s.tangential + first + c));
         ft = hn::Max(hn::Min(ft, ft_limit), hn::Neg(ft_limit));
         hn::Store(ft, d, s.tangential + first + c);
-        // Incremental elastic-plastic rolling moment, limit eta min(r) f_n.
+        // Rolling moment, limit eta min(r) f_n. Elastic-plastic increments remember the limited moment, the
+        // total form the whole -k_r theta.
         const V m_limit = hn::Mul(hn::Mul(rolling_limit, hn::Sub(r_sum, hn::Abs(r_diff))), fn);
-        V m = hn::NegMulAdd(hn::Mul(hn::Mul(rolling_dt, four_rr), kt_dt), dw,
-                            hn::Load(d, s.moment + first + c));
-        m = hn::Max(hn::Min(m, m_limit), hn::Neg(m_limit));
-        hn::Store(m, d, s.moment + first + c);
+        const V kr_dt = hn::Mul(hn::Mul(rolling_dt, four_rr), kt_dt);
+        const V rolled = hn::NegMulAdd(kr_dt, dw, hn::Load(d, s.moment + first + c));
+        const V m = hn::Max(hn::Min(rolled, m_limit), hn::Neg(m_limit));
+        hn::Store(k.total_rolling ? hn::IfThenElseZero(hn::Gt(overlap, zero), rolled) : m, d,
+                  s.moment + first + c);
         const V fx = hn::MulAdd(fn, nx, hn::Mul(ft, ny)), fy = hn::NegMulAdd(ft, nx, hn::Mul(fn, ny));
         // n x f = -f_t, so both torques are +(r - overlap/2) f_t, and -+ M.
         const V arm_sum = hn::Sub(r_sum, overlap);

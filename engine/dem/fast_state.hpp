@@ -37,10 +37,11 @@ struct FastState {
 // Contact constants in the form the kernel wants.
 struct KernelConstants {
     double young, stiffness_ratio, friction, rolling_stiffness, rolling_limit, damping;
+    bool total_rolling;  // RollingForm::total
 };
 inline KernelConstants kernel_constants(const Material& m) {
-    return {m.young,         m.stiffness_ratio, std::tan(m.friction_angle), m.rolling_stiffness,
-            m.rolling_limit, m.damping};
+    return {m.young,         m.stiffness_ratio, std::tan(m.friction_angle),          m.rolling_stiffness,
+            m.rolling_limit, m.damping,         m.rolling_form == RollingForm::total};
 }
 
 }  // namespace sandgraph::dem
