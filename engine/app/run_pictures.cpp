@@ -54,6 +54,7 @@ report::GroundView view_of(const scene::Scene& scene) {
     view.plate_size_x = horizontal(scene) ? a.width : a.thickness;
     view.plate_size_y = horizontal(scene) ? a.thickness : a.width;
     view.mirror = horizontal(scene);
+    view.window = (a.embedment_ratio + 2) * a.width;
     return view;
 }
 

@@ -28,10 +28,11 @@ void unpack_grains(const CompactPacking& p, FastState& s) {
     const int n = static_cast<int>(set.radius.size());
     if (s.grains != n) resize_grains(s, n);
     for (int g = 0; g < n; ++g) {
-        const double *m = &p.motion[5 * g], r = set.radius[g];
+        const double *x = &p.position[2 * g], r = set.radius[g];
+        const float* v = &p.velocity[3 * g];
         double *a = &s.a[4 * g], *b = &s.b[4 * g];
-        a[0] = m[0], a[1] = m[1], a[2] = m[2], a[3] = m[3];
-        b[0] = b[3] = r, b[1] = r * m[4], b[2] = m[4];
+        a[0] = x[0], a[1] = x[1], a[2] = v[0], a[3] = v[1];
+        b[0] = b[3] = r, b[1] = r * v[2], b[2] = v[2];
     }
     std::copy(set.inverse_mass.begin(), set.inverse_mass.end(), s.inverse_mass.begin());
     std::copy(set.inverse_inertia.begin(), set.inverse_inertia.end(), s.inverse_inertia.begin());
@@ -42,7 +43,8 @@ void unpack_grains(const CompactPacking& p, FastState& s) {
 }  // namespace
 
 std::size_t CompactPacking::bytes() const {
-    return sizeof *this + 8 * (motion.capacity() + tangential.capacity() + moment.capacity()) +
+    return sizeof *this + 8 * position.capacity() +
+           4 * (velocity.capacity() + tangential.capacity() + moment.capacity()) +
            2 * (i.capacity() + j.capacity()) + image.capacity();
 }
 
@@ -70,11 +72,14 @@ void unpack(const CompactPacking& p, FastState& s) {
 }
 
 void pack(const FastState& s, CompactPacking& p) {
-    p.motion.resize(5 * s.grains);
+    p.position.resize(2 * s.grains);
+    p.velocity.resize(3 * s.grains);
     for (int g = 0; g < s.grains; ++g) {
-        double* m = &p.motion[5 * g];
-        std::copy_n(&s.a[4 * g], 4, m);
-        m[4] = s.b[4 * g + 2];
+        const double* a = &s.a[4 * g];
+        double* x = &p.position[2 * g];
+        float* v = &p.velocity[3 * g];
+        x[0] = a[0], x[1] = a[1];
+        v[0] = float(a[2]), v[1] = float(a[3]), v[2] = float(s.b[4 * g + 2]);
     }
     p.i.assign(s.i.begin(), s.i.end()), p.j.assign(s.j.begin(), s.j.end());
     p.image.assign(s.image.begin(), s.image.end());

@@ -119,7 +119,7 @@ void Rve::settle(const RveOptions& options) {
     if (p > options.float_pressure) contact_volume_ = volume_;
     if (p > options.float_pressure || volume_ < contact_volume_ * (1 + options.float_opening)) return;
     own_->stress.setZero(), own_->L.setZero(), own_->LH.setZero();
-    for (std::size_t g = 0; g < own_->motion.size(); g += 5) std::fill_n(&own_->motion[g + 2], 3, 0.0);
+    std::fill(own_->velocity.begin(), own_->velocity.end(), 0.0f);
     floating_ = true;
 }
 

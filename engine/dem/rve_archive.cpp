@@ -15,8 +15,10 @@ Mat2 take(const double*& in) {
     return m;
 }
 
-void take(const double*& in, std::vector<double>& out, std::size_t n) {
-    out.assign(in, in + n);
+template <class Real>
+void take(const double*& in, std::vector<Real>& out, std::size_t n) {
+    out.resize(n);
+    std::transform(in, in + n, out.begin(), [](double value) { return static_cast<Real>(value); });
     in += n;
 }
 
@@ -28,7 +30,8 @@ std::int64_t pair_code(const CompactPacking& p, std::size_t c) {
 void save_packing(const CompactPacking& p, std::vector<double>& reals, std::vector<std::int64_t>& integers) {
     for (const Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) put(reals, *m);
     reals.push_back(p.approach);
-    for (const auto* v : {&p.motion, &p.tangential, &p.moment})
+    reals.insert(reals.end(), p.position.begin(), p.position.end());
+    for (const auto* v : {&p.velocity, &p.tangential, &p.moment})
         reals.insert(reals.end(), v->begin(), v->end());
     integers.insert(integers.end(), {p.pairs, std::int64_t(p.i.size())});
     for (std::size_t c = 0; c < p.i.size(); ++c) integers.push_back(pair_code(p, c));
@@ -39,7 +42,8 @@ void load_packing(CompactPacking& p, const double*& reals, const std::int64_t*& 
     p.approach = *reals++;
     p.pairs = static_cast<int>(*integers++);
     const std::size_t slots = *integers++;
-    take(reals, p.motion, 5 * p.grains->radius.size());
+    take(reals, p.position, 2 * p.grains->radius.size());
+    take(reals, p.velocity, 3 * p.grains->radius.size());
     take(reals, p.tangential, slots);
     take(reals, p.moment, slots);
     p.i.resize(slots), p.j.resize(slots), p.image.resize(slots);

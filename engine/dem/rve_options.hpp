@@ -8,7 +8,7 @@ struct RveOptions {
     double inertial_number_max = 2e-3;  // I = rate d sqrt(rho/p)
     double strain_per_step_max = 1e-5;
     double pressure_floor = 1000;  // below it the inertial limit tightens no further [Pa]
-    int steps_min = 4;             // DEM steps an update at least
+    int steps_min = 2;             // DEM steps an update at least
     double float_pressure = 10;    // mean stress taken for none when the packing has opened up [Pa]
     double float_opening = 0.005;  // volume strain beyond the last contact at which a packing floats
 };

@@ -9,7 +9,7 @@ struct PullPlan {
     Vec2 direction = Vec2(0, 1);
     double width = 1;      // B [m]
     double rate = 0.05;    // [m/s]
-    double ramp = 0.002;   // share of B over which the rate rises
+    double ramp = 0.01;    // share of B over which the rate rises
     double settle = 0.05;  // [s] at rest before the pull
 };
 

@@ -6,7 +6,7 @@
 namespace sandgraph::report {
 namespace {
 
-constexpr double tail = 0.005;  // share of the points beyond each end
+constexpr double tail = 0.0015;  // share of the points beyond each end
 
 double quantile(const std::vector<double>& sorted, double share) {
     return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];

@@ -4,7 +4,7 @@
 
 namespace sandgraph::report {
 
-// The range of colours. The outermost 0.5 % of the points may lie beyond it: one runaway point must not
+// The range of colours. The outermost 0.15 % of the points may lie beyond it: one runaway point must not
 // bleach the picture.
 struct ColourRange {
     double low = 0, high = 1;

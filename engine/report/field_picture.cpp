@@ -17,8 +17,15 @@ struct Box {
 Box box_of(const io::Frame& frame, const GroundView& view) {
     double top = view.surface;
     for (const double y : frame.y) top = std::max(top, y);
-    const double margin = 0.02 * view.width;
-    return {(view.mirror ? -view.width : 0) - margin, view.width + margin, -margin, top + 2 * margin};
+    const double margin = 0.02 * (view.window > 0 ? view.window : view.width);
+    const double left = view.mirror ? -view.width : 0;
+    if (view.window > 0) {
+        const double low = frame.plate_y - 0.5 * view.plate_size_y - 0.4 * view.window;
+        return {std::max(left, frame.plate_x - view.window) - margin,
+                std::min(view.width, frame.plate_x + view.window) + margin, std::max(0.0, low) - margin,
+                top + 2 * margin};
+    }
+    return {left - margin, view.width + margin, -margin, top + 2 * margin};
 }
 
 std::string title(const io::Frame& frame, const GroundView& view) {
@@ -30,17 +37,17 @@ std::string axes(const io::Frame& frame, const GroundView& view, const Box& box)
     return fmt::format(
         "set title {} noenhanced offset 0,0.4\nset size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
         "set xlabel 'x [m]'\nset ylabel 'y [m]'\nset xtics nomirror\nset ytics nomirror\nset tics out\n"
-        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B' offset 0,-0.4\nunset key\n",
+        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B' offset 0,-0.4\nunset key\nset clip two\n",
         title(frame, view), box.left, box.right, box.bottom, box.top, view.anchor_width, view.anchor_width);
 }
 
 std::string colours(const PointValues& shown, const ColourRange& range) {
-    const char* beyond = range.clipped_low && range.clipped_high ? " (ends: and beyond)"
-                         : range.clipped_high                    ? " (top: and above)"
-                         : range.clipped_low                     ? " (bottom: and below)"
+    const char* beyond = range.clipped_low && range.clipped_high ? " (ends: beyond)"
+                         : range.clipped_high                    ? " (top: above)"
+                         : range.clipped_low                     ? " (bottom: below)"
                                                                  : "";
     return palette(shown.is_signed) +
-           fmt::format("set cbrange [{}:{}]\nset cblabel {}\n", range.low, range.high,
+           fmt::format("set cbrange [{}:{}]\nset cblabel {} offset 1,0\n", range.low, range.high,
                        literal(fmt::format("{} [{}]{}", shown.name, shown.unit, beyond)));
 }
 
@@ -54,12 +61,14 @@ std::string plate(const io::Frame& frame, const GroundView& view) {
 }
 
 std::string surface_line(const GroundView& view) {
-    return fmt::format("set arrow from {},{} to {},{} nohead dt 2 lw 1.5 lc rgb 'black' front\n",
-                       view.mirror ? -view.width : 0.0, view.surface, view.width, view.surface);
+    return fmt::format("{} {}\n{} {}\n", view.mirror ? -view.width : 0.0, view.surface, view.width,
+                       view.surface);
 }
 
 std::string plot_command(bool arrows) {
-    std::string text = "plot 'squares.txt' using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette";
+    std::string text =
+        "plot 'squares.txt' using 1:2:3:4:5 with boxxyerror fs solid border lw 0.4 lc palette, "
+        "'surface.txt' using 1:2 with lines dt 2 lw 1.5 lc rgb 'black'";
     if (arrows)
         text +=
             ", \\\n     'arrows.txt' using 1:2:3:4 with vectors head size screen 0.004,20 filled lw 0.8 lc "
@@ -83,11 +92,11 @@ Plot field_plot(const io::Frame& frame, Quantity quantity, const GroundView& vie
     Plot plot;
     fit_size(plot, box);
     plot.data.emplace_back("squares.txt", square_rows(frame, shown, view));
+    plot.data.emplace_back("surface.txt", surface_line(view));
     if (quantity == Quantity::displacement)
         plot.data.emplace_back("arrows.txt", arrow_rows(frame, view, (box.right - box.left) / 36));
-    const bool arrows = plot.data.size() > 1 && !plot.data.back().second.empty();
-    plot.script = axes(frame, view, box) + colours(shown, range) + plate(frame, view) + surface_line(view) +
-                  plot_command(arrows);
+    const bool arrows = plot.data.back().first == "arrows.txt" && !plot.data.back().second.empty();
+    plot.script = axes(frame, view, box) + colours(shown, range) + plate(frame, view) + plot_command(arrows);
     return plot;
 }
 

@@ -64,7 +64,7 @@ PointValues point_values(const io::Frame& frame, Quantity quantity) {
         case Quantity::equivalent_strain:
             return {"equivalent strain ε_{eq}", "-", false, from_gradient(frame, equivalent_strain)};
         case Quantity::rotation:
-            return {"rotation θ (counter-clockwise +)", "deg", true,
+            return {"rotation θ, anticlockwise +", "deg", true,
                     from_gradient(frame, [](const Mat2& F) { return degrees(rotation(F)); })};
         case Quantity::porosity:
             break;

@@ -29,7 +29,7 @@ struct Anchor {
         3;                    // H/B; H: surface to the top face (horizontal) or to the lower edge (vertical)
     double position = 0;      // x of the plate's centre [m]; horizontal: 0 (symmetry plane); vertical: free
     double pull_rate = 0.05;  // [m/s]
-    double ramp = 0.002;      // d/B over which the rate rises smoothly from zero
+    double ramp = 0.01;       // d/B over which the rate rises smoothly from zero
     double pull_to = 0.4;     // d_max / B
     double friction_angle = std::numbers::pi / 2;  // plate-soil friction [rad]; 90 deg = perfectly rough
 };
@@ -54,7 +54,7 @@ struct RveStepping {
     double pressure_floor = 1000;     // p below which the inertial limit no longer tightens [Pa]
     double update_tolerance = 0.005;   // error of the stress predicted between two DEM updates, share of p
     double update_change_max = 0.05;   // largest predicted stress change between two, share of p
-    int steps_min = 4;                // DEM steps an update at least
+    int steps_min = 2;                // DEM steps an update at least
 };
 
 // Closed-form laws (law = "elastic" | "mohr_coulomb").
