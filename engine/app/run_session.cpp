@@ -82,7 +82,8 @@ RunEnd RunSession::run() {
         progress.update({pull_->steps(), pull_->d_over_B(), options_.until, last_load_,
                          rve ? static_cast<std::int64_t>(rve->owning()) : 0});
     }
-    checkpoint();
+    const bool all = pull_->d_over_B() >= scene_.anchor.pull_to - kReached;
+    all ? wind_up() : checkpoint();
     return pull_->d_over_B() < options_.until - kReached ? RunEnd::interrupted : RunEnd::finished;
 }
 
@@ -103,9 +104,22 @@ void RunSession::record_frame() {
     writer_.post([this, frame] { file_.append(*frame); });
 }
 
-void RunSession::checkpoint() {
+void RunSession::note_timing() {
     writer_.drain();
     for (const graph::PhaseTime& t : pull_->graph().times()) file_.set_timing(t.name, t.seconds);
+}
+
+// A pull that went all the way has nothing to resume.
+void RunSession::wind_up() {
+    note_timing();
+    file_.commit();
+    const std::filesystem::path checkpoint = options_.folder / io::checkpoint_name;
+    std::filesystem::remove(checkpoint);
+    std::filesystem::remove(io::previous_checkpoint(checkpoint));
+}
+
+void RunSession::checkpoint() {
+    note_timing();
     io::CheckpointWriter out(options_.folder / io::checkpoint_name,
                              {hash_of(scene_), revision(), pull_->d_over_B()});
     archive(out);

@@ -37,6 +37,8 @@ class RunSession {
     void after_step();
     void record_frame();
     void checkpoint();
+    void wind_up();
+    void note_timing();
     void archive(Archive& a);
     void resume();
 

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "io/run_record.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A pull of some seconds: 100 grains a point, 0.25 m cells.
+constexpr const char* kScene = R"(
+[domain]
+width = "2 m"
+depth = "3 m"
+cell = "0.25 m"
+[anchor]
+embedment_ratio = 1
+thickness = "0.25 m"
+pull_to = 0.03
+[grains]
+count = 100
+[output]
+load_every = 0.001
+frames = [0, 0.01, 0.02, 0.03]
+checkpoint_every = "0.05 s"
+)";
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+class InterruptedRun : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("sandgraph-restart-" + std::to_string(getpid()));
+        fs::create_directories(folder_);
+        setenv("SANDGRAPH_CACHE", (folder_ / "cache").c_str(), 1);
+        std::ofstream(folder_ / "scene.toml") << kScene;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path out(const std::string& name) const { return folder_ / name; }
+
+    pid_t start(const std::string& name, std::vector<std::string> more = {}) const {
+        std::vector<std::string> words = {SANDGRAPH_BINARY, "run", (folder_ / "scene.toml").string(), "-o",
+                                          out(name).string()};
+        words.insert(words.end(), more.begin(), more.end());
+        const pid_t pid = fork();
+        if (pid != 0) return pid;
+        std::vector<char*> argv;
+        for (std::string& w : words) argv.push_back(w.data());
+        argv.push_back(nullptr);
+        if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
+        execv(argv[0], argv.data());
+        _exit(127);
+    }
+    static int finish(pid_t pid) {
+        int status = 0;
+        waitpid(pid, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+    int run(const std::string& name, std::vector<std::string> more = {}) const {
+        return finish(start(name, std::move(more)));
+    }
+
+    // Signals the run once it has a checkpoint and `rows` lines in its load curve.
+    int stop(const std::string& name, int signal, std::size_t rows) const {
+        const pid_t pid = start(name);
+        for (int wait = 0; wait < 20000; ++wait) {
+            const std::string load = text_of(out(name) / "load.csv");
+            if (fs::exists(out(name) / "checkpoint.h5") &&
+                std::count(load.begin(), load.end(), '\n') > long(rows))
+                break;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        kill(pid, signal);
+        return finish(pid);
+    }
+
+    void expect_same(const std::string& a, const std::string& b) const {
+        EXPECT_EQ(text_of(out(a) / "load.csv"), text_of(out(b) / "load.csv"));
+        const auto first = sandgraph::io::read_run(out(a) / "run.h5"),
+                   second = sandgraph::io::read_run(out(b) / "run.h5");
+        ASSERT_EQ(first.frames, 4u);
+        ASSERT_EQ(second.frames, 4u);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto f = sandgraph::io::read_run_frame(out(a) / "run.h5", k),
+                       g = sandgraph::io::read_run_frame(out(b) / "run.h5", k);
+            EXPECT_EQ(f.x, g.x);
+            EXPECT_EQ(f.y, g.y);
+            for (std::size_t n = 0; n < f.fields.size(); ++n)
+                EXPECT_EQ(f.fields[n].values, g.fields[n].values) << f.fields[n].name;
+        }
+    }
+    fs::path folder_;
+};
+
+TEST_F(InterruptedRun, ResumesToTheSameBits) {
+    ASSERT_EQ(run("whole"), 0);
+    EXPECT_TRUE(fs::exists(out("whole") / "summary.json"));
+
+    EXPECT_EQ(stop("asked", SIGINT, 10), 3);
+    EXPECT_FALSE(fs::exists(out("asked") / "summary.json"));
+    ASSERT_EQ(run("asked", {"--resume", "--threads", "1"}), 0);
+    expect_same("whole", "asked");
+
+    EXPECT_EQ(stop("killed", SIGKILL, 15), 128 + SIGKILL);
+    ASSERT_EQ(run("killed", {"--resume"}), 0);
+    expect_same("whole", "killed");
+}
+
+TEST_F(InterruptedRun, StopsWhereAskedAndGoesOn) {
+    ASSERT_EQ(run("whole"), 0);
+    ASSERT_EQ(run("part", {"--until", "0.015"}), 0);
+    ASSERT_EQ(run("part", {"--resume"}), 0);
+    expect_same("whole", "part");
+}
+
+TEST_F(InterruptedRun, RefusesToResumeNothingOrAnotherScene) {
+    EXPECT_EQ(run("nothing", {"--resume"}), 2);
+    EXPECT_FALSE(fs::exists(out("nothing")));
+    ASSERT_EQ(run("part", {"--until", "0.002"}), 0);
+    EXPECT_EQ(run("part", {"--resume", "--set", "grains.seed=2"}), 2);
+}
+
+}  // namespace
