@@ -27,7 +27,32 @@ class Checks {
                    "write a shorter ramp");
     }
 
+    // In-situ stress balances the plate exactly only if its faces lie between rows and columns of points.
+    void plate_between_points() const {
+        const double spacing = point_spacing(domain_), B = anchor_.width;
+        whole_spacings("anchor.thickness", anchor_.thickness, 0, 1, "m");
+        if (anchor_.orientation == Orientation::horizontal) {
+            whole_spacings("anchor.width", B, 0, 2, "m");
+        } else {
+            whole_spacings("anchor.width", B, 0, 1, "m");
+            whole_spacings("anchor.position", anchor_.position, std::fmod(0.5 * anchor_.thickness, spacing),
+                           1, "m");
+        }
+        whole_spacings("anchor.embedment_ratio", anchor_.embedment_ratio, 0, 1 / B, "");
+    }
+
   private:
+    // `value` must be `offset` plus a whole number of point spacings times `unit`.
+    void whole_spacings(const char* name, double value, double offset, double unit,
+                        const char* symbol) const {
+        const double step = unit * point_spacing(domain_), count = (value - offset) / step;
+        const double nearest = std::max(offset > 0 ? 0.0 : 1.0, std::round(count));
+        if (std::abs(count - nearest) > 1e-6)
+            refuse(name,
+                   fmt::format("the plate's faces must lie between the points, {:.6g} m apart", step / unit),
+                   *symbol ? fmt::format("write \"{:.6g} {}\"", offset + nearest * step, symbol)
+                           : fmt::format("write {:.6g}", nearest * step));
+    }
     // A key that the file does not give is named with its default, at the file as a whole.
     [[noreturn]] void refuse(const char* name, const std::string& why, const std::string& suggestion) const {
         const Key& key = keys_.at(name);
@@ -90,10 +115,16 @@ class Checks {
 
 }  // namespace
 
+double point_spacing(const Domain& domain) {
+    return domain.cell / static_cast<double>(std::lround(std::sqrt(domain.points_per_cell)));
+}
+
 void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
-    if (scene.anchor.present) checks.plate();
+    if (!scene.anchor.present) return;
+    checks.plate();
+    checks.plate_between_points();
 }
 
 }  // namespace sandgraph::scene

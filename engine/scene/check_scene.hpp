@@ -4,6 +4,9 @@
 
 namespace sandgraph::scene {
 
+// Distance of neighbouring material points [m].
+double point_spacing(const Domain& domain);
+
 // Checks what no single key can tell: whether plate, ground and pull fit together. Throws InputError at the
 // line of the key to change.
 void check_scene(const Scene& scene, const KeyTable& keys);

@@ -1,5 +1,6 @@
 #include "scene/read_scene.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include "scene/check_scene.hpp"
@@ -19,7 +20,10 @@ std::string to_text(const toml::table& table) {
 // A vertical plate stands in the middle unless the scene says where.
 void place_anchor(const KeyTable& keys, Scene& scene) {
     const bool free = scene.anchor.orientation == Orientation::vertical && !keys.at("anchor.position").given;
-    if (free) scene.anchor.position = 0.5 * scene.domain.width;
+    if (!free) return;
+    // As near to the middle as the points let the plate stand (check_scene).
+    const double spacing = point_spacing(scene.domain), half = 0.5 * scene.anchor.thickness;
+    scene.anchor.position = std::round((0.5 * scene.domain.width - half) / spacing) * spacing + half;
 }
 
 }  // namespace

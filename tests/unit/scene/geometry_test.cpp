@@ -47,10 +47,20 @@ TEST(Geometry, PlateStaysInTheGroundWhilePulled) {
 }
 
 TEST(Geometry, VerticalPlateStandsInTheMiddleUnlessTold) {
-    EXPECT_EQ(parse_scene("[anchor]\norientation = \"vertical\"", "s.toml").anchor.position,
-              Domain{}.width / 2);
+    EXPECT_NEAR(parse_scene("[anchor]\norientation = \"vertical\"", "s.toml").anchor.position,
+                Domain{}.width / 2, 0.5 * Domain{}.cell + 1e-12);
     EXPECT_EQ(
-        parse_scene("[anchor]\norientation = \"vertical\"\nposition = \"2 m\"", "s.toml").anchor.position, 2);
+        parse_scene("[anchor]\norientation = \"vertical\"\nposition = \"2.05 m\"", "s.toml").anchor.position,
+        2.05);
+}
+
+TEST(Geometry, PlateFacesLieBetweenThePoints) {
+    expect_refused("[anchor]\nthickness = \"0.16 m\"", "2", "write \"0.2 m\"");
+    expect_refused("[anchor]\nwidth = \"1.1 m\"", "2", "write \"1.2 m\"");
+    expect_refused("[anchor]\nembedment_ratio = 2.33", "2", "write 2.3");
+    expect_refused("[domain]\nwidth = \"8 m\"\n[anchor]\norientation = \"vertical\"\nposition = \"4 m\"", "5",
+                   "between the points");
+    EXPECT_EQ(refused("[domain]\npoints_per_cell = 4\n[anchor]\nthickness = \"0.15 m\""), "accepted");
 }
 
 TEST(Geometry, HorizontalPlateLiesOnTheSymmetryPlane) {
