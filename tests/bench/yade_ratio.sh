@@ -10,8 +10,9 @@ binary=$top/build/release/sandgraph
 figure() { grep -o 'us_per_step [0-9.]*' | cut -d' ' -f2; }
 median() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 
+tmp=$(mktemp -d)
 for _ in $(seq "$rounds"); do
-    yade -n -x -j1 "$top/tests/bench/yade_step.py" "$packing" 5000 2>/dev/null | figure >>"${tmp:=$(mktemp -d)}/yade"
+    yade -n -x -j1 "$top/tests/bench/yade_step.py" "$packing" 5000 2>/dev/null | figure >>"$tmp/yade"
     "$binary" rve bench --packing "$packing" --steps 100000 | figure >>"$tmp/fast"
     "$binary" rve bench --packing "$packing" --steps 20000 --reference | figure >>"$tmp/reference"
 done
