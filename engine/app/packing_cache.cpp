@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "io/atomic_file.hpp"
-#include "io/hash.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -55,7 +55,7 @@ void keep(const fs::path& file, const io::PackingRecord& record) {
 dem::Packing cached_packing(const std::string& recipe, const dem::Material& material,
                             const std::function<dem::Packing()>& make) {
     const std::string text = kGeneration + recipe;
-    const fs::path file = cache_folder() / (io::hex(io::hash64(text)) + ".h5");
+    const fs::path file = cache_folder() / (hex(hash64(text)) + ".h5");
     dem::Packing packing;
     if (read_cached(file, text, packing)) return packing;
     packing = make();
@@ -65,7 +65,7 @@ dem::Packing cached_packing(const std::string& recipe, const dem::Material& mate
 
 std::vector<double> cached_numbers(const std::string& recipe, std::size_t count,
                                    const std::function<std::vector<double>()>& make) {
-    const fs::path file = cache_folder() / (io::hex(io::hash64(kGeneration + recipe)) + ".txt");
+    const fs::path file = cache_folder() / (hex(hash64(kGeneration + recipe)) + ".txt");
     std::ifstream in(file);
     std::vector<double> values{std::istream_iterator<double>(in), {}};
     if (values.size() == count) return values;
@@ -90,7 +90,7 @@ std::string packing_recipe(const scene::Grains& g) {
     std::ifstream in(g.packing, std::ios::binary);
     std::ostringstream content;
     content << in.rdbuf();
-    return text + fmt::format("file {}\n", io::hex(io::hash64(content.str())));
+    return text + fmt::format("file {}\n", hex(hash64(content.str())));
 }
 
 }  // namespace sandgraph::app

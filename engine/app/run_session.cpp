@@ -8,9 +8,9 @@
 #include "app/make_frame.hpp"
 #include "app/progress.hpp"
 #include "app/revision.hpp"
+#include "base/hash.hpp"
 #include "graph/rve_law.hpp"
 #include "io/checkpoint.hpp"
-#include "io/hash.hpp"
 #include "scene/scene_hash.hpp"
 
 namespace sandgraph::app {
@@ -22,7 +22,7 @@ constexpr double kReached = 1e-9;  // slack on d/B marks
 
 double cpu_clock() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-std::string hash_of(const scene::Scene& scene) { return io::hex(scene::scene_hash(scene)); }
+std::string hash_of(const scene::Scene& scene) { return hex(scene::scene_hash(scene)); }
 
 io::RunInfo info_of(const scene::Scene& scene, int threads) {
     const char* mode = scene.mode == scene::Mode::full ? "full" : "screening";

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "app/revision.hpp"
+#include "base/hash.hpp"
 #include "graph/rve_law.hpp"
-#include "io/hash.hpp"
 #include "report/analytic.hpp"
 #include "report/peak.hpp"
 #include "scene/scene_hash.hpp"
@@ -62,7 +62,7 @@ io::Summary summarise(const RunSession& session, const scene::Scene& scene, cons
     s.points = static_cast<std::int64_t>(pull.state().points.size()), s.steps = pull.steps();
     s.wall_s = session.wall_seconds(), s.cpu_s = session.cpu_seconds();
     s.threads = threads, s.mode = session.record().info.mode, s.git = revision();
-    s.scene_hash = io::hex(scene::scene_hash(scene));
+    s.scene_hash = hex(scene::scene_hash(scene));
     add_grains(pull, s);
     if (!scene.anchor.present) return s;
     add_loads(session, scene, ground, s);

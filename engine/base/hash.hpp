@@ -1,13 +1,28 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace sandgraph {
 
-// FNV-1a, 64 bit (Fowler, Noll & Vo): the same on every machine; not for secrets.
-constexpr std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xCBF29CE484222325ull) {
-    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3ull;
-    return hash;
-}
+// Detects damage and names content; not cryptographic. Word-wise FNV-1a with a folding shift: both the
+// multiply (odd) and the xor-shift are bijective, so two inputs of equal length that differ in one word never
+// collide.
+class Hasher {
+  public:
+    void add(std::span<const std::byte> bytes);
+    std::uint64_t value() const;
+
+  private:
+    void word(std::uint64_t w);
+    std::uint64_t state_ = 0xCBF29CE484222325ull, length_ = 0;
+    std::uint64_t pending_ = 0;  // the last, incomplete word; filled from the low byte
+    unsigned pending_bytes_ = 0;
+};
+
+std::uint64_t hash64(std::string_view text);
+std::string hex(std::uint64_t value);  // 16 lower-case digits
 
 }  // namespace sandgraph

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "io/hash.hpp"
+#include "base/hash.hpp"
 
 namespace sandgraph::io {
 namespace {

@@ -15,10 +15,10 @@ std::string canonical_text(const Scene& scene) {
     for (const Key& key : table.keys())
         if (key.in_hash) text += fmt::format("{}={}\n", key.full_name(), key.value->canonical());
     const std::string& packing = scene.ground.grains.packing;
-    if (!packing.empty()) text += fmt::format("packing={:016x}\n", fnv1a(read_text(packing)));
+    if (!packing.empty()) text += fmt::format("packing={}\n", hex(hash64(read_text(packing))));
     return text;
 }
 
-std::uint64_t scene_hash(const Scene& scene) { return fnv1a(canonical_text(scene)); }
+std::uint64_t scene_hash(const Scene& scene) { return hash64(canonical_text(scene)); }
 
 }  // namespace sandgraph::scene

@@ -1,10 +1,10 @@
-#include "io/hash.hpp"
+#include "base/hash.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace sandgraph::io {
+namespace sandgraph {
 namespace {
 
 TEST(Hash, DoesNotDependOnHowTheBytesArrive) {
@@ -29,4 +29,4 @@ TEST(Hash, DiffersForEverySingleBitAndForTrailingZeros) {
 }
 
 }  // namespace
-}  // namespace sandgraph::io
+}  // namespace sandgraph

@@ -1,10 +1,10 @@
-#include "io/hash.hpp"
+#include "base/hash.hpp"
 
 #include <fmt/format.h>
 
 #include <cstring>
 
-namespace sandgraph::io {
+namespace sandgraph {
 namespace {
 
 std::uint64_t fold(std::uint64_t state, std::uint64_t w) {
@@ -45,4 +45,4 @@ std::uint64_t hash64(std::string_view text) {
 
 std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
-}  // namespace sandgraph::io
+}  // namespace sandgraph
