@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "base/byte_stream.hpp"
 #include "base/tensor.hpp"
 #include "dem/compact_packing.hpp"
 #include "dem/fast_kernel.hpp"
@@ -48,10 +49,9 @@ class Rve {
     double porosity() const;
     const CompactPacking& packing() const { return own_ ? *own_ : *initial_; }
 
-    // Appends the state to (takes it from) flat arrays, for checkpoints. The initial packing is not part of
-    // it.
-    void save(std::vector<double>& reals, std::vector<std::int64_t>& integers) const;
-    void load(const double*& reals, const std::int64_t*& integers);
+    // For checkpoints. The initial packing is not part of the state.
+    void save(ByteWriter& out) const;
+    void load(ByteReader& in);
 
   private:
     bool keep_floating(const Mat2& U);

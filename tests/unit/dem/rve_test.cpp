@@ -46,6 +46,12 @@ TEST_F(RveTest, SharesTheInitialPackingUntilItIsStrained) {
     EXPECT_EQ(&b.packing(), relaxed().get());
 }
 
+TEST_F(RveTest, TakesLessThan32KilobytesAtRest) {
+    Rve rve(relaxed());
+    drive(rve, gradient(1e-4, 0, 0, -1e-4), 50);
+    EXPECT_LT(rve.packing().bytes(), 32u * 1024);
+}
+
 TEST_F(RveTest, FollowsYadesIsochoricBiaxialPath) {
     // Path b at 0.2, 0.5 and 1 % of ln F_xx; the published natural divergence there is below 1 %.
     Rve rve(relaxed());
@@ -150,15 +156,13 @@ TEST_F(RveTest, TakesNoMoreStrainAStepThanAsked) {
 TEST_F(RveTest, GoesOnBitForBitFromItsArchive) {
     Rve a(relaxed());
     drive(a, gradient(1e-4, 2e-4, -1e-4, 1e-4), 10);
-    std::vector<double> reals;
-    std::vector<std::int64_t> integers;
-    a.save(reals, integers);
+    std::vector<std::uint8_t> bytes;
+    ByteWriter out(bytes);
+    a.save(out);
     Rve b(relaxed());
-    const double* real = reals.data();
-    const std::int64_t* integer = integers.data();
-    b.load(real, integer);
-    EXPECT_EQ(real, reals.data() + reals.size());
-    EXPECT_EQ(integer, integers.data() + integers.size());
+    ByteReader in(bytes);
+    b.load(in);
+    EXPECT_TRUE(in.empty());
     Workspace fresh;
     for (int k = 0; k < 30; ++k) {
         drive(a, gradient(0, 2e-4, 0, -1e-4));
