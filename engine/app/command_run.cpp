@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <thread>
@@ -56,6 +57,18 @@ RunOptions options_of(const Arguments& a, const scene::Scene& scene) {
     return o;
 }
 
+// Before minutes of preparation, not after: can the run folder be made?
+void require_writable(const fs::path& folder) {
+    fs::path there = fs::absolute(folder).lexically_normal();
+    while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
+    if (!fs::is_directory(there))
+        throw InputError({folder.string(), 0}, "cannot be the run folder",
+                         there.string() + " is not a folder", "give another folder with -o");
+    if (access(there.c_str(), W_OK | X_OK) != 0)
+        throw InputError({folder.string(), 0}, "cannot be the run folder",
+                         there.string() + " is not writable", "give another folder with -o");
+}
+
 PreparedGround prepare(const scene::Scene& scene) {
     StageProgress progress;
     return prepare_ground(scene,
@@ -78,6 +91,7 @@ int run(const Arguments& a) {
     const RunOptions options = options_of(a, scene);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
+    require_writable(options.folder);
     const PreparedGround ground = prepare(scene);
     RunSession session(scene, ground, options);
     if (session.run() == RunEnd::interrupted) {

@@ -128,6 +128,13 @@ TEST_F(InterruptedRun, StopsWhereAskedAndGoesOn) {
     expect_same("whole", "part");
 }
 
+TEST_F(InterruptedRun, RefusesAFolderThatCannotBe) {
+    std::ofstream(out("file")) << "in the way";
+    EXPECT_EQ(run("file"), 2);
+    EXPECT_EQ(run("file/below"), 2);
+    EXPECT_EQ(text_of(out("file")), "in the way");
+}
+
 TEST_F(InterruptedRun, RefusesToResumeNothingOrAnotherScene) {
     EXPECT_EQ(run("nothing", {"--resume"}), 2);
     EXPECT_FALSE(fs::exists(out("nothing")));
