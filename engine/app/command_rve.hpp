@@ -10,5 +10,6 @@ namespace sandgraph::app {
 void add_rve_prepare(CLI::App& rve);
 void add_rve_test(CLI::App& rve);
 void add_rve_bench(CLI::App& rve);
+void add_rve_table(CLI::App& rve);
 
 }  // namespace sandgraph::app

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/command_rve.hpp"
+#include "app/soil_laboratory.hpp"
+#include "app/stage_progress.hpp"
+#include "app/strength_table.hpp"
+#include "io/atomic_file.hpp"
+#include "report/biaxial_picture.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+struct Options {
+    std::string folder = "out/table1";
+    LaboratoryPlan plan;
+    bool quick = false;
+};
+
+// A first look: two seeds, and four times the rate, which moves a peak by less than 1 deg.
+LaboratoryPlan shortened(LaboratoryPlan plan) {
+    plan.seeds = std::min(plan.seeds, 2);
+    plan.axial_rate = 0.4;
+    return plan;
+}
+
+std::vector<StrengthRow> strength_rows(const std::vector<Specimen>& specimens) {
+    std::vector<StrengthRow> rows;
+    for (const Specimen& specimen : specimens) rows.push_back(strength_row(specimen));
+    return rows;
+}
+
+report::BiaxialPicture picture_of(const std::string& density, const std::vector<Specimen>& specimens) {
+    report::BiaxialPicture picture{fmt::format("Biaxial compression, {} sand of Table 1", density), {}};
+    for (std::size_t k = 0; k < kConfiningPressures.size(); ++k) {
+        report::BiaxialSeries series{kConfiningPressures[k], {}};
+        for (const Specimen& specimen : specimens)
+            if (specimen.density == density) series.tests.push_back(specimen.tests[k]);
+        picture.series.push_back(std::move(series));
+    }
+    return picture;
+}
+
+void draw_pictures(const std::filesystem::path& folder, const std::vector<Specimen>& specimens) {
+    for (const std::string density : kDensities) {
+        const auto picture = report::draw_biaxial_picture(picture_of(density, specimens),
+                                                          folder / fmt::format("biaxial_{}.png", density));
+        if (!picture.drawn) fmt::print(stderr, "{}\n", picture.message);
+    }
+}
+
+std::vector<Specimen> test_with_progress(const LaboratoryPlan& plan) {
+    StageProgress progress;
+    return test_specimens(plan,
+                          [&](std::string_view stage, double fraction) { progress.update(stage, fraction); });
+}
+
+void run(const Options& options) {
+    const std::filesystem::path folder = options.folder;
+    std::filesystem::create_directories(folder);
+    const auto specimens = test_with_progress(options.quick ? shortened(options.plan) : options.plan);
+    const std::vector<StrengthRow> rows = strength_rows(specimens);
+    io::write_text(folder / "table1.csv", strength_csv(rows));
+    draw_pictures(folder, specimens);
+    fmt::print("{}{}: table1.csv, biaxial_dense.png, biaxial_loose.png\n", strength_table(rows),
+               options.folder);
+}
+
+}  // namespace
+
+void add_rve_table(CLI::App& rve) {
+    CLI::App* table =
+        rve.add_subcommand("table", "strength of Table 1 sand: biaxial tests over several seeds");
+    auto options = std::make_shared<Options>();
+    table->add_option("-o,--out", options->folder, "folder for table and pictures")->capture_default_str();
+    table->add_option("--seeds", options->plan.seeds, "packings of each density")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    table->add_option("--grains", options->plan.grains, "disks in a packing")
+        ->check(CLI::Range(50, 10000))
+        ->capture_default_str();
+    table->add_flag("--quick", options->quick, "at most two seeds, four times the axial rate");
+    table->callback([options] { run(*options); });
+}
+
+}  // namespace sandgraph::app
