@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
     std::string packing;
-    int steps = 20000;
+    int grains = 400, steps = 20000;
     bool reference = false;
 };
 
@@ -30,7 +30,9 @@ double seconds_of(dem::Assembly& assembly, const Mat2& L, int steps) {
 // Without a file: the dense packing of Table 1, made on the spot.
 io::PackingRecord packing_of(const Options& options) {
     if (!options.packing.empty()) return load_packing(options.packing);
-    return {.packing = base_packing({}), .material = {}, .recipe = {}};
+    scene::Grains grains;
+    grains.count = options.grains;
+    return {.packing = base_packing(grains), .material = grains.material, .recipe = {}};
 }
 
 void run(const Options& options) {
@@ -51,6 +53,8 @@ void add_rve_bench(CLI::App& rve) {
     auto options = std::make_shared<Options>();
     bench->add_option("--packing", options->packing,
                       "packing, .csv or .h5 (default: a dense one made on the spot)");
+    bench->add_option("--grains", options->grains, "of the packing made on the spot")
+        ->check(CLI::Range(20, 65000));
     bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::PositiveNumber);
     bench->add_flag("--reference", options->reference, "the published step instead of the optimised kernel");
     bench->callback([options] { run(*options); });
