@@ -54,6 +54,8 @@ class RveLaw : public stress::Law {
     void drive(const stress::Batch& batch);    // DEM updates, in parallel; stress to owned slots
 
     const RveCounters& counters() const { return counters_; }
+    // The DEM updates of the last step in the order they were started, longest expected first.
+    const std::vector<dem::RveReport>& last_reports() const { return reports_; }
     std::size_t owning() const;  // points that own a packing
     const dem::Rve& rve(std::size_t point) const { return rves_[point]; }
     // Deformation since the last DEM update is not in the packing yet; this includes it.
