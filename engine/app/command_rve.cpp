@@ -12,6 +12,7 @@ void add_rve_command(CLI::App& app, int&) {
     add_rve_prepare(*rve);
     add_rve_test(*rve);
     add_rve_bench(*rve);
+    add_rve_study(*rve);
     add_rve_table(*rve);
 }
 

@@ -10,6 +10,7 @@ namespace sandgraph::app {
 void add_rve_prepare(CLI::App& rve);
 void add_rve_test(CLI::App& rve);
 void add_rve_bench(CLI::App& rve);
+void add_rve_study(CLI::App& rve);
 void add_rve_table(CLI::App& rve);
 
 }  // namespace sandgraph::app

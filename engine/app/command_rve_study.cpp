@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+
+#include "app/command_rve.hpp"
+#include "app/stage_progress.hpp"
+#include "app/study_table.hpp"
+#include "io/atomic_file.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+struct Options {
+    std::string out = "out/rve_study";
+    int seeds = 3;
+    bool quick = false;
+};
+
+// The packings of every seed: at the usual pressure, and at the low one.
+struct Samples {
+    std::vector<StudySample> usual, low;
+};
+
+Samples make_samples(int seeds) {
+    StageProgress progress;
+    progress.update("packings", 0);
+    Samples samples{std::vector<StudySample>(seeds), std::vector<StudySample>(seeds)};
+    tbb::parallel_for(0, seeds, [&](int k) {
+        scene::Grains grains;
+        grains.seed = static_cast<std::uint64_t>(k) + 1;
+        samples.usual[k] = study_sample(grains, study_pressure);
+        samples.low[k] = study_sample(grains, study_pressure_low);
+    });
+    return samples;
+}
+
+// runs[setting][seed]; a run is one task of its own, so that its wall time holds nobody else's work.
+std::vector<std::vector<StudyRun>> run_all(const StrainHistory& history,
+                                           const std::vector<StudySample>& samples,
+                                           const std::vector<StudySetting>& settings) {
+    std::vector<std::vector<StudyRun>> runs(settings.size(), std::vector<StudyRun>(samples.size()));
+    StageProgress progress;
+    std::atomic<std::size_t> done{0};
+    std::mutex telling;
+    const std::size_t count = settings.size() * samples.size();
+    const auto one = [&](std::size_t job) {
+        const std::size_t setting = job / samples.size(), seed = job % samples.size();
+        tbb::this_task_arena::isolate(
+            [&] { runs[setting][seed] = run_history(samples[seed], history, settings[setting].stepping); });
+        const std::lock_guard lock(telling);
+        progress.update(history.name, static_cast<double>(++done) / static_cast<double>(count));
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
+        for (std::size_t job = range.begin(); job < range.end(); ++job) one(job);
+    });
+    return runs;
+}
+
+void run(const Options& options) {
+    const std::filesystem::path folder = options.out;
+    std::filesystem::create_directories(folder);
+    const int seeds = options.quick ? 1 : options.seeds;
+    const Samples samples = make_samples(seeds);
+    const std::vector<StudySetting> settings = study_settings(options.quick);
+    std::vector<StudyRow> rows;
+    for (const StrainHistory& history : strain_histories(options.quick)) {
+        const auto& packings = history.pressure == study_pressure ? samples.usual : samples.low;
+        const auto more = study_rows(history, settings, run_all(history, packings, settings));
+        rows.insert(rows.end(), more.begin(), more.end());
+        fmt::print("{}", study_text(more));
+        std::fflush(stdout);
+    }
+    io::write_text(folder / "study.csv", study_csv(rows));
+    const auto picture = report::draw_study_picture(study_picture(rows, seeds), folder / "study.png");
+    fmt::print("\n{}\n", picture.drawn ? (folder / "study.csv").string() + ", study.png" : picture.message);
+}
+
+}  // namespace
+
+void add_rve_study(CLI::App& rve) {
+    CLI::App* study = rve.add_subcommand("study", "what each stepping rule of an RVE costs and errs");
+    auto options = std::make_shared<Options>();
+    study->add_option("-o,--out", options->out, "folder for study.csv and study.png")->capture_default_str();
+    study->add_option("--seeds", options->seeds, "packings of seeds 1 to N")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    study->add_flag("--quick", options->quick, "one seed, shorter histories, fewer values");
+    study->callback([options] { run(*options); });
+}
+
+}  // namespace sandgraph::app

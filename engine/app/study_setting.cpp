@@ -1,0 +1,81 @@
+#include "app/study_setting.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+using scene::RveStepping;
+
+struct Axis {
+    const char* key;
+    void (*set)(RveStepping&, double);
+    std::vector<double> near, far;  // values beside the default, and further ones
+};
+
+std::vector<Axis> axes() {
+    return {
+        {"inertial_number_max",
+         [](RveStepping& s, double v) { s.inertial_number_max = v; },
+         {1e-3, 4e-3},
+         {5e-4, 8e-3}},
+        {"strain_per_step_max",
+         [](RveStepping& s, double v) { s.strain_per_step_max = v; },
+         {5e-6, 2e-5},
+         {2.5e-6, 4e-5}},
+        {"update_tolerance",
+         [](RveStepping& s, double v) { s.update_tolerance = v; },
+         {0.0025, 0.01},
+         {0, 0.00125, 0.02}},
+        {"update_change_max",
+         [](RveStepping& s, double v) { s.update_change_max = v; },
+         {0.025, 0.1},
+         {0.0125, 0.2}},
+        {"steps_min", [](RveStepping& s, double v) { s.steps_min = static_cast<int>(v); }, {1, 5}, {10, 20}},
+        {"time_step_fraction",
+         [](RveStepping& s, double v) { s.time_step_fraction = v; },
+         {0.1, 0.3},
+         {0.05, 0.4}}};
+}
+
+void vary(const Axis& axis, const std::vector<double>& values, std::vector<StudySetting>& out) {
+    for (const double value : values) {
+        out.push_back({axis.key, value, {}});
+        axis.set(out.back().stepping, value);
+    }
+}
+
+}  // namespace
+
+RveStepping reference_stepping() {
+    RveStepping s;
+    s.update_tolerance = 0, s.strain_per_step_max = 1e-6, s.inertial_number_max = 2e-4;
+    s.time_step_fraction = 0.1;
+    return s;
+}
+
+RveStepping twin_stepping() {
+    RveStepping s = reference_stepping();
+    s.strain_per_step_max = 1.5e-6, s.inertial_number_max = 3e-4;
+    return s;
+}
+
+RveStepping peers_stepping() {
+    constexpr double no_limit = 1e6;
+    RveStepping s;
+    s.update_tolerance = 0, s.strain_per_step_max = 1e-5, s.inertial_number_max = no_limit;
+    s.steps_min = 2;
+    return s;
+}
+
+std::vector<StudySetting> study_settings(bool quick) {
+    std::vector<StudySetting> out{{"reference", 0, reference_stepping()},
+                                  {"twin", 0, twin_stepping()},
+                                  {"peers", 0, peers_stepping()},
+                                  {"default", 0, {}}};
+    for (const Axis& axis : axes()) {
+        vary(axis, axis.near, out);
+        if (!quick) vary(axis, axis.far, out);
+    }
+    return out;
+}
+
+}  // namespace sandgraph::app
