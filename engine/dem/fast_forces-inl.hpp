@@ -80,54 +80,91 @@ HWY_INLINE void Stage(const Arrays& s, const ImageTable& images, int first, int 
     }
 }
 
+// N pairs side by side, as staged.
+struct Lanes {
+    V dx, dy, dvx, dvy, r_sum, rw_sum, dw, r_diff;
+    Lanes(const Staging& st, int c) {
+        hn::LoadInterleaved4(D(), st.geometry + 4 * c, dx, dy, dvx, dvy);
+        hn::LoadInterleaved4(D(), st.rotation + 4 * c, r_sum, rw_sum, dw, r_diff);
+    }
+};
+
+// Constants of the law in every lane.
+struct LawLanes {
+    V young, ratio_dt, rolling, friction, rolling_limit;
+    bool total_rolling;
+    LawLanes(const KernelConstants& k, double dt)
+        : young(hn::Set(D(), 0.5 * k.young)),
+          ratio_dt(hn::Set(D(), k.stiffness_ratio * dt)),
+          rolling(hn::Set(D(), 0.25 * k.rolling_stiffness)),
+          friction(hn::Set(D(), k.friction)),
+          rolling_limit(hn::Set(D(), 0.5 * k.rolling_limit)),
+          total_rolling(k.total_rolling) {}
+};
+
+// Step 3: normal, overlap and f_n = k_n max(overlap, 0); k_n = E 2 r_i r_j / (r_i + r_j) with
+// 4 r_i r_j = (sum - diff)(sum + diff). One division serves 1/|d| and 1/(r_i + r_j).
+struct Normal {
+    V inv_dist, nx, ny, overlap, four_rr, kt_dt, fn;
+    Normal(const Lanes& p, const LawLanes& k) {
+        const D d;
+        const V dist = hn::Sqrt(hn::MulAdd(p.dx, p.dx, hn::Mul(p.dy, p.dy)));
+        const V q = hn::Div(hn::Set(d, 1.0), hn::Mul(dist, p.r_sum));
+        inv_dist = hn::Mul(q, p.r_sum);
+        nx = hn::Mul(p.dx, inv_dist), ny = hn::Mul(p.dy, inv_dist);
+        overlap = hn::Sub(p.r_sum, dist);
+        four_rr = hn::Mul(hn::Sub(p.r_sum, p.r_diff), hn::Add(p.r_sum, p.r_diff));
+        const V kn = hn::Mul(k.young, hn::Mul(four_rr, hn::Mul(q, dist)));
+        fn = hn::Mul(kn, hn::Max(overlap, hn::Zero(d)));
+        kt_dt = hn::Mul(kn, k.ratio_dt);
+    }
+};
+
+HWY_INLINE V Limited(V value, V limit) { return hn::Max(hn::Min(value, limit), hn::Neg(limit)); }
+
+// Step 4: tangential force along e = (n_y, -n_x) with alpha_g = (r_i + r_j)/|d|, at most tan(phi) f_n.
+HWY_INLINE V Tangential(const Lanes& p, const Normal& n, const LawLanes& k, double* history) {
+    const D d;
+    const V slip = hn::NegMulAdd(p.dvy, n.nx, hn::Mul(p.dvx, n.ny));
+    const V vt = hn::MulAdd(hn::Mul(p.r_sum, n.inv_dist), slip, p.rw_sum);
+    const V ft = Limited(hn::NegMulAdd(n.kt_dt, vt, hn::Load(d, history)), hn::Mul(n.fn, k.friction));
+    hn::Store(ft, d, history);
+    return ft;
+}
+
+// Step 5: rolling moment, at most eta min(r) f_n. Elastic-plastic increments remember the limited moment, the
+// total form the whole -k_r theta.
+HWY_INLINE V Rolling(const Lanes& p, const Normal& n, const LawLanes& k, double* history) {
+    const D d;
+    const V limit = hn::Mul(hn::Mul(k.rolling_limit, hn::Sub(p.r_sum, hn::Abs(p.r_diff))), n.fn);
+    const V kr_dt = hn::Mul(hn::Mul(k.rolling, n.four_rr), n.kt_dt);
+    const V rolled = hn::NegMulAdd(kr_dt, p.dw, hn::Load(d, history));
+    const V m = Limited(rolled, limit);
+    const V kept = hn::IfThenElseZero(hn::Gt(n.overlap, hn::Zero(d)), rolled);
+    hn::Store(k.total_rolling ? kept : m, d, history);
+    return m;
+}
+
 // The contact law on N lanes at once. Pairs that do not touch get f_n = 0, which also clears their history.
 template <bool kStress>
-HWY_INLINE void ContactLaw(const Arrays& s, const KernelConstants& k, double dt, int first, int count,
-                           Staging& st, V* sum) {
+HWY_INLINE void ContactLaw(const Arrays& s, const LawLanes& k, int first, int count, Staging& st, V* sum) {
     const D d;
-    const V half = hn::Set(d, 0.5), zero = hn::Zero(d);
-    const V young = hn::Set(d, 0.5 * k.young), ratio_dt = hn::Set(d, k.stiffness_ratio * dt);
-    const V rolling_dt = hn::Set(d, 0.25 * k.rolling_stiffness), friction = hn::Set(d, k.friction);
-    const V rolling_limit = hn::Set(d, 0.5 * k.rolling_limit);
+    const V half = hn::Set(d, 0.5);
     for (int c = 0; c < count; c += static_cast<int>(hn::Lanes(d))) {
-        V dx, dy, dvx, dvy, r_sum, rw_sum, dw, r_diff;
-        hn::LoadInterleaved4(d, st.geometry + 4 * c, dx, dy, dvx, dvy);
-        hn::LoadInterleaved4(d, st.rotation + 4 * c, r_sum, rw_sum, dw, r_diff);
-        const V dist = hn::Sqrt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)));
-        // One division serves 1/|d| and 1/(r_i + r_j).
-        const V q = hn::Div(hn::Set(d, 1.0), hn::Mul(dist, r_sum));
-        const V inv_dist = hn::Mul(q, r_sum);
-        const V nx = hn::Mul(dx, inv_dist), ny = hn::Mul(dy, inv_dist);
-        const V overlap = hn::Sub(r_sum, dist);
-        // k_n = E 2 r_i r_j / (r_i + r_j), with 4 r_i r_j = (sum - diff)(sum + diff).
-        const V four_rr = hn::Mul(hn::Sub(r_sum, r_diff), hn::Add(r_sum, r_diff));
-        const V kn = hn::Mul(young, hn::Mul(four_rr, hn::Mul(q, dist)));
-        const V fn = hn::Mul(kn, hn::Max(overlap, zero));
-        const V kt_dt = hn::Mul(kn, ratio_dt);
-        // v_rel along e = (n_y, -n_x); alpha_g = (r_i + r_j)/|d|.
-        const V slip = hn::NegMulAdd(dvy, nx, hn::Mul(dvx, ny));
-        const V vt = hn::MulAdd(hn::Mul(r_sum, inv_dist), slip, rw_sum);
-        const V ft_limit = hn::Mul(fn, friction);
-        V ft = hn::NegMulAdd(kt_dt, vt, hn::Load(d, s.tangential + first + c));
-        ft = hn::Max(hn::Min(ft, ft_limit), hn::Neg(ft_limit));
-        hn::Store(ft, d, s.tangential + first + c);
-        // Rolling moment, limit eta min(r) f_n. Elastic-plastic increments remember the limited moment, the
-        // total form the whole -k_r theta.
-        const V m_limit = hn::Mul(hn::Mul(rolling_limit, hn::Sub(r_sum, hn::Abs(r_diff))), fn);
-        const V kr_dt = hn::Mul(hn::Mul(rolling_dt, four_rr), kt_dt);
-        const V rolled = hn::NegMulAdd(kr_dt, dw, hn::Load(d, s.moment + first + c));
-        const V m = hn::Max(hn::Min(rolled, m_limit), hn::Neg(m_limit));
-        hn::Store(k.total_rolling ? hn::IfThenElseZero(hn::Gt(overlap, zero), rolled) : m, d,
-                  s.moment + first + c);
-        const V fx = hn::MulAdd(fn, nx, hn::Mul(ft, ny)), fy = hn::NegMulAdd(ft, nx, hn::Mul(fn, ny));
-        // n x f = -f_t, so both torques are +(r - overlap/2) f_t, and -+ M.
-        const V arm_sum = hn::Sub(r_sum, overlap);
-        const V ti = hn::NegMulAdd(m, hn::Set(d, 1.0), hn::Mul(hn::Mul(half, hn::Sub(arm_sum, r_diff)), ft));
-        const V tj = hn::Add(m, hn::Mul(hn::Mul(half, hn::Add(arm_sum, r_diff)), ft));
+        const Lanes p(st, c);
+        const Normal n(p, k);
+        const V ft = Tangential(p, n, k, s.tangential + first + c),
+                m = Rolling(p, n, k, s.moment + first + c);
+        const V fx = hn::MulAdd(n.fn, n.nx, hn::Mul(ft, n.ny)),
+                fy = hn::NegMulAdd(ft, n.nx, hn::Mul(n.fn, n.ny));
+        // Step 6: n x f = -f_t, so the torques are +(r - overlap/2) f_t on both, -M on i and +M on j.
+        const V arms = hn::Sub(p.r_sum, n.overlap);
+        const V ti = hn::Sub(hn::Mul(hn::Mul(half, hn::Sub(arms, p.r_diff)), ft), m);
+        const V tj = hn::MulAdd(hn::Mul(half, hn::Add(arms, p.r_diff)), ft, m);
         hn::StoreInterleaved4(fx, fy, ti, tj, d, st.force + 4 * c);
         if constexpr (kStress) {
-            sum[0] = hn::MulAdd(dx, fx, sum[0]), sum[1] = hn::MulAdd(dx, fy, sum[1]);
-            sum[2] = hn::MulAdd(dy, fx, sum[2]), sum[3] = hn::MulAdd(dy, fy, sum[3]);
+            sum[0] = hn::MulAdd(p.dx, fx, sum[0]), sum[1] = hn::MulAdd(p.dx, fy, sum[1]);
+            sum[2] = hn::MulAdd(p.dy, fx, sum[2]), sum[3] = hn::MulAdd(p.dy, fy, sum[3]);
         }
     }
 }
@@ -153,11 +190,12 @@ HWY_INLINE void ForceLoop(FastState& s, const KernelConstants& k, double dt, V* 
     std::fill(s.force.begin(), s.force.end(), 0.0);
     const ImageTable images(s);
     const Arrays arrays(s);
+    const LawLanes law(k, dt);
     Staging staging;
     for (int first = 0; first < s.slots; first += kBlock) {
         const int count = std::min(kBlock, s.slots - first);
         Stage(arrays, images, first, count, staging);
-        ContactLaw<kStress>(arrays, k, dt, first, count, staging, sum);
+        ContactLaw<kStress>(arrays, law, first, count, staging, sum);
         Scatter(arrays, first, count, staging);
     }
 }
