@@ -38,9 +38,9 @@ inline double number_or_zero(const std::string& text) {
     }
 }
 
-inline Table read_table(const std::string& name) {
-    std::ifstream file(yade_file(name));
-    EXPECT_TRUE(file.good()) << name;
+inline Table read_csv(const std::string& path) {
+    std::ifstream file(path);
+    EXPECT_TRUE(file.good()) << path;
     Table table;
     for (std::string line, field; std::getline(file, line);) {
         if (line.starts_with("#")) continue;
@@ -56,5 +56,6 @@ inline Table read_table(const std::string& name) {
     }
     return table;
 }
+inline Table read_table(const std::string& name) { return read_csv(yade_file(name)); }
 
 }  // namespace sandgraph::dem::test
