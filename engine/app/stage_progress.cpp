@@ -4,12 +4,6 @@
 
 namespace sandgraph::app {
 
-namespace {
-
-constexpr double patience = 1;  // [s]; what is done sooner needs no progress
-
-}  // namespace
-
 void StageProgress::update(std::string_view stage, double fraction) {
     const double now = wall_clock();
     if (line_.due(now))
