@@ -49,7 +49,7 @@ void add_grains(const graph::Pull& pull, io::Summary& s) {
     s.extra.emplace_back("rve_failures", static_cast<double>(c.failures));
     s.extra.emplace_back("rve_owning_final", static_cast<double>(rve->owning()));
     s.extra.emplace_back("prediction_error_mean",
-                         c.prediction_error_sum / std::max<double>(1, double(c.updates)));
+                         c.prediction_error_sum / std::max<double>(1, double(c.predicted)));
     s.extra.emplace_back("inertial_number_max", c.inertial_number_max);
 }
 

@@ -36,6 +36,7 @@ RveLaw::RveLaw(RveLawSetup setup) : setup_(std::move(setup)) {
         rves_.emplace_back(setup_.rows[static_cast<std::size_t>(row)].packing);
     collected_.assign(n, Mat2::Identity());
     change_.resize(n);
+    waited_.assign(n, 0);
     allowance_.assign(n, setup_.update_tolerance);
 }
 
@@ -84,7 +85,10 @@ void RveLaw::route(const stress::Batch& batch) {
     for (const std::int32_t p : batch.points) {
         const double reference = scale(batch.stress[p]), change = norm(change_[p]);
         // Not `change <= tolerance`: a NaN must reach the packing, which refuses it by name.
-        if (change < allowance_[p] * reference) continue;
+        if (change < allowance_[p] * reference) {
+            waited_[p] = 1;
+            continue;
+        }
         due_.push_back({p, rves_[p].floating() ? 0 : change / std::sqrt(reference)});
     }
     std::stable_sort(due_.begin(), due_.end(),
@@ -106,7 +110,10 @@ void RveLaw::drive(const stress::Batch& batch) {
         counters_.dem_steps += r.dem_steps;
         counters_.failures +=
             r.status == dem::RveStatus::bad_increment || r.status == dem::RveStatus::diverged;
-        counters_.prediction_error_sum += errors_[slot];
+        std::uint8_t& waited = waited_[due_[slot].point];
+        counters_.predicted += waited;
+        counters_.prediction_error_sum += waited ? errors_[slot] : 0;
+        waited = 0;
         counters_.inertial_number_max = std::max(counters_.inertial_number_max, r.inertial_number);
     }
 }

@@ -32,7 +32,9 @@ struct RveLawSetup {
 
 struct RveCounters {
     std::int64_t dem_steps = 0, updates = 0, failures = 0;
-    double prediction_error_sum = 0;  // sum over updates of |predicted - DEM|/max(p, floor)
+    std::int64_t predicted = 0;  // updates of points whose stress had been a prediction for a step or more
+    double prediction_error_sum = 0;  // over those: |predicted - DEM|/max(p, floor), an upper bound on what
+                                      // the ground saw
     double inertial_number_max = 0;
 };
 
@@ -76,6 +78,7 @@ class RveLaw : public stress::Law {
     std::vector<Mat2> collected_;    // by point: deformation since its last DEM update
     std::vector<Stress> change_;     // by point: predicted stress change since then
     std::vector<double> allowance_;  // by point: predicted change at which the grains are asked, share of p
+    std::vector<std::uint8_t> waited_;  // by point: its stress was a prediction in the last step
     std::vector<Due> due_;
     std::vector<dem::RveReport> reports_;                         // by slot of due_
     std::vector<double> errors_;                                  // by slot of due_
