@@ -24,6 +24,7 @@ std::vector<double> in_situ(const scene::Scene& scene, double density) {
     const int rows = row_count(scene.domain);
     const double spacing = scene.domain.depth / rows;
     std::vector<double> out;
+    out.reserve(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row)
         out.push_back(scene.ground.surcharge + density * scene.ground.gravity * (row + 0.5) * spacing);
     return out;
