@@ -19,7 +19,7 @@ struct Options {
     bool quick = false;
 };
 
-// A first look: two seeds, and four times the rate, which moves a peak by less than 1 deg.
+// A first look: two seeds, and four times the rate, which moves a peak by up to 2 deg, as another seed does.
 LaboratoryPlan shortened(LaboratoryPlan plan) {
     plan.seeds = std::min(plan.seeds, 2);
     plan.axial_rate = 0.4;
