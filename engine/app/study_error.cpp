@@ -45,11 +45,12 @@ StudyError study_error(std::span<const StudyRun> runs, std::span<const StudyRun>
             const double scale = std::max(mean_stress(reference[k]), pressure_floor);
             const double share = distance(run[k], reference[k]) / scale;
             sum += share * share, count += 1;
+            error.pressure += mean_stress(reference[k]);
             error.max = std::max(error.max, share);
         }
         if (history.window != 0) means.push_back(reference.front());
     }
-    error.rms = std::sqrt(sum / count);
+    error.rms = std::sqrt(sum / count), error.pressure /= count;
     error.scatter = scatter(means, pressure_floor);
     return error;
 }

@@ -9,6 +9,7 @@ namespace sandgraph::app {
 // pressure floor where that is higher). Past the peak: of the mean stresses over the window, one a seed.
 struct StudyError {
     double rms = 0, max = 0;
+    double pressure = 0;  // mean of the reference's mean stress over what is compared [Pa]
     // Only past the peak: scatter of the reference's window means over the seeds (standard deviation, the
     // same share): what another sample of the same sand would change. 0 for one seed.
     double scatter = 0;

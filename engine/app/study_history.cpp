@@ -57,9 +57,9 @@ StrainHistory reversal_history() {
     return history;
 }
 
-// The volume grows as a dense packing's does near constant pressure, by 3 % in all, most of it early.
+// The volume grows as a dense packing's does near constant pressure, by 2 % in all, most of it early.
 StrainHistory dilating_shear_history(double total) {
-    constexpr double size = 5e-5, growth = 0.03, scale = 0.04;
+    constexpr double size = 5e-5, growth = 0.02, scale = 0.04;
     StrainHistory history{"post_peak", study_pressure, {}};
     for (double gamma = 0; gamma < total - 0.5 * size; gamma += size) {
         const double opening = 0.5 * growth * (std::exp(-gamma / scale) - std::exp(-(gamma + size) / scale));

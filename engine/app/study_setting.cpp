@@ -43,6 +43,18 @@ void vary(const Axis& axis, const std::vector<double>& values, std::vector<Study
     }
 }
 
+// Several keys moved together:
+// 1: tolerance and inertial number halved; 2: tolerance halved, DEM step 1.5 times as long;
+// 3: both; 4: 3 with four DEM steps an update at least.
+std::vector<StudySetting> tighter() {
+    StudySetting a{"tighter", 1, {}}, b{"tighter", 2, {}}, c{"tighter", 3, {}}, d{"tighter", 4, {}};
+    a.stepping.update_tolerance = 0.0025, a.stepping.inertial_number_max = 1e-3;
+    b.stepping.update_tolerance = 0.0025, b.stepping.time_step_fraction = 0.3;
+    c.stepping = a.stepping, c.stepping.time_step_fraction = 0.3;
+    d.stepping = c.stepping, d.stepping.steps_min = 4;
+    return {a, b, c, d};
+}
+
 }  // namespace
 
 RveStepping reference_stepping() {
@@ -75,6 +87,8 @@ std::vector<StudySetting> study_settings(bool quick) {
         vary(axis, axis.near, out);
         if (!quick) vary(axis, axis.far, out);
     }
+    const std::vector<StudySetting> together = tighter();
+    out.insert(out.end(), together.begin(), together.end());
     return out;
 }
 

@@ -8,7 +8,7 @@ namespace sandgraph::app {
 
 // One way to step an RVE: the default with one key changed, or a rule of its own.
 struct StudySetting {
-    std::string key;   // the key that differs; "default", "peers", "reference" or "twin"
+    std::string key;   // the key that differs; "default", "peers", "reference", "twin" or "tighter"
     double value = 0;  // of that key
     scene::RveStepping stepping;
 };
@@ -22,7 +22,8 @@ scene::RveStepping twin_stepping();
 // YADE driver of the FEM x DEM literature: max(1e5 |strain|, 2) DEM steps each load step, none skipped.
 scene::RveStepping peers_stepping();
 
-// The four above in the order of their indices, then every key varied up and down; quick: one value each way.
+// The four above in the order of their indices, then every key varied up and down (quick: one value
+// each way), then several keys moved together.
 std::vector<StudySetting> study_settings(bool quick);
 
 }  // namespace sandgraph::app

@@ -8,7 +8,8 @@ namespace sandgraph::app {
 namespace {
 
 StudyRow row(const StrainHistory& history, const StudySetting& setting, const std::vector<StudyRun>& runs) {
-    StudyRow out{history, setting};
+    StudyRow out;
+    out.history = history, out.setting = setting;
     const auto n = static_cast<double>(runs.size());
     for (const StudyRun& run : runs) {
         out.dem_steps += static_cast<double>(run.dem_steps) / n;
@@ -38,13 +39,14 @@ std::vector<StudyRow> study_rows(const StrainHistory& history, const std::vector
 std::string study_csv(const std::vector<StudyRow>& rows) {
     std::string text =
         "history,key,value,strain_length,dem_steps,dem_steps_per_strain,share_of_peers,updates,error_rms,"
-        "error_max,seed_scatter,failures,wall_s\n";
+        "error_max,seed_scatter,pressure_Pa,failures,wall_s\n";
     for (const StudyRow& r : rows) {
         const double length = r.history.length();
         text += fmt::format(
-            "{},{},{:g},{:.6g},{:.0f},{:.6g},{:.6g},{:.1f},{:.6g},{:.6g},{:.6g},{:g},{:.4g}\n",
+            "{},{},{:g},{:.6g},{:.0f},{:.6g},{:.6g},{:.1f},{:.6g},{:.6g},{:.6g},{:.4g},{:g},{:.4g}\n",
             r.history.name, r.setting.key, r.setting.value, length, r.dem_steps, r.dem_steps / length,
-            r.of_peers, r.updates, r.error.rms, r.error.max, r.error.scatter, r.failures, r.seconds);
+            r.of_peers, r.updates, r.error.rms, r.error.max, r.error.scatter, r.error.pressure, r.failures,
+            r.seconds);
     }
     return text;
 }
@@ -54,12 +56,14 @@ std::string study_text(const std::vector<StudyRow>& rows) {
     for (const StudyRow& r : rows) {
         if (r.history.name != history) {
             history = r.history.name;
-            text += fmt::format("\n{:<32}{:>11}{:>10}{:>9}{:>9}{:>9}{:>9}\n", history, "DEM steps",
-                                "of peers", "rms %p", "max %p", "seeds %p", "wall s");
+            text += fmt::format("\n{:<32}{:>11}{:>10}{:>9}{:>9}{:>9}{:>9}   (mean p {:.1f} kPa)\n", history,
+                                "DEM steps", "of peers", "rms %p", "max %p", "seeds %p", "wall s",
+                                r.error.pressure / 1000);
         }
-        const std::string name = r.setting.key + (r.setting.key.find('_') == std::string::npos
-                                                      ? std::string()
-                                                      : fmt::format(" = {:g}", r.setting.value));
+        const std::string name =
+            r.setting.key + (r.setting.value == 0 && r.setting.key.find('_') == std::string::npos
+                                 ? std::string()
+                                 : fmt::format(" = {:g}", r.setting.value));
         text +=
             fmt::format("  {:<30}{:>11.0f}{:>10.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{}\n", name, r.dem_steps,
                         r.of_peers, percent(r.error.rms), percent(r.error.max), percent(r.error.scatter),

@@ -9,8 +9,8 @@ namespace sandgraph::report {
 namespace {
 
 // Okabe & Ito (2008): distinguishable with colour-vision deficiency.
-constexpr std::array<const char*, 6> colours{"#0072B2", "#D55E00", "#009E73",
-                                             "#CC79A7", "#E69F00", "#56B4E9"};
+constexpr std::array<const char*, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                             "#E69F00", "#56B4E9", "#8B4513"};
 constexpr std::size_t columns = 3;
 // What a logarithmic axis can still show: no DEM step at all, no error at all.
 constexpr double least_steps = 1, least_error = 1e-6;
@@ -50,7 +50,8 @@ void add_panel(Plot& plot, const StudyPanel& panel, std::size_t k) {
              mark_item(file_name(k, "peers"), 4, "#000000", "2 steps or more each load step");
     items += ", 0.01 with lines dt 3 lw 1 lc rgb '#bbbbbb' title '1 % of p'";
     items += level(panel.floor, "2", "two fine answers") + level(panel.scatter, "4", "seed to seed");
-    plot.script += fmt::format("set title {} noenhanced\n{}\n", literal(panel.title), items);
+    plot.script += fmt::format("set ylabel '{}'\nset title {} noenhanced\n{}\n",
+                               k % columns == 0 ? "rms stress error / p" : "", literal(panel.title), items);
     plot.script += "unset key\n";  // one key for all panels
 }
 
@@ -60,10 +61,10 @@ Plot study_plot(const StudyPicture& picture) {
     const std::size_t rows = (picture.panels.size() + columns - 1) / columns;
     Plot plot{1500, static_cast<int>(120 + 450 * rows), {}, {}};
     plot.script = fmt::format(
-        "set multiplot layout {},{} title {} noenhanced margins 0.07,0.985,0.19,0.92 spacing 0.06,0.1\n"
+        "set multiplot layout {},{} title {} noenhanced margins 0.06,0.985,0.21,0.92 spacing 0.05,0.11\n"
         "set logscale xy\nset format x '10^{{%L}}'\nset format y '%g'\nset xlabel 'DEM steps'\n"
-        "set ylabel 'rms stress error / p'\nset grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n"
-        "set key at screen 0.5,0.065 center center horizontal maxrows 3 width 2\n",
+        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n"
+        "set key at screen 0.5,0.065 center center horizontal maxcols 4 maxrows 3 width 1 samplen 2\n",
         rows, columns, literal(picture.title));
     for (std::size_t k = 0; k < picture.panels.size(); ++k) add_panel(plot, picture.panels[k], k);
     plot.script += "unset multiplot\n";
