@@ -33,7 +33,7 @@ std::vector<Axis> axes() {
         {"time_step_fraction",
          [](RveStepping& s, double v) { s.time_step_fraction = v; },
          {0.1, 0.3},
-         {0.05, 0.4}}};
+         {0.05, 0.4, 0.6}}};
 }
 
 void vary(const Axis& axis, const std::vector<double>& values, std::vector<StudySetting>& out) {
@@ -43,16 +43,20 @@ void vary(const Axis& axis, const std::vector<double>& values, std::vector<Study
     }
 }
 
-// Several keys moved together:
-// 1: tolerance and inertial number halved; 2: tolerance halved, DEM step 1.5 times as long;
-// 3: both; 4: 3 with four DEM steps an update at least.
+// Several keys moved together. 1: tolerance and inertial number halved; 2: tolerance halved, DEM step twice
+// as long; 3: both; 4: tolerance a quarter, DEM step twice as long.
 std::vector<StudySetting> tighter() {
-    StudySetting a{"tighter", 1, {}}, b{"tighter", 2, {}}, c{"tighter", 3, {}}, d{"tighter", 4, {}};
-    a.stepping.update_tolerance = 0.0025, a.stepping.inertial_number_max = 1e-3;
-    b.stepping.update_tolerance = 0.0025, b.stepping.time_step_fraction = 0.3;
-    c.stepping = a.stepping, c.stepping.time_step_fraction = 0.3;
-    d.stepping = c.stepping, d.stepping.steps_min = 4;
-    return {a, b, c, d};
+    std::vector<StudySetting> out;
+    const auto add = [&](double tolerance, double inertial, double fraction) {
+        out.push_back({"tighter", static_cast<double>(out.size() + 1), {}});
+        scene::RveStepping& s = out.back().stepping;
+        s.update_tolerance = tolerance, s.inertial_number_max = inertial, s.time_step_fraction = fraction;
+    };
+    add(0.0025, 1e-3, 0.2);
+    add(0.0025, 2e-3, 0.4);
+    add(0.0025, 1e-3, 0.4);
+    add(0.00125, 2e-3, 0.4);
+    return out;
 }
 
 }  // namespace

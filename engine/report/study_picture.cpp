@@ -23,9 +23,11 @@ std::string file_name(std::size_t panel, const std::string& what) {
     return fmt::format("panel{}_{}.txt", panel, what);
 }
 
+// A level with its entry in the key, which is that of the first panel, also where it cannot be drawn.
 std::string level(double error, const char* dash, const char* label) {
-    if (error <= 0) return {};
-    return fmt::format(", {} with lines dt {} lw 1.5 lc rgb '#777777' title '{}'", error, dash, label);
+    const std::string style = fmt::format("with lines dt {} lw 1.5 lc rgb '#777777'", dash);
+    const std::string line = error > 0 ? fmt::format(", {} {} notitle", error, style) : std::string();
+    return fmt::format("{}, keyentry {} title '{}'", line, style, label);
 }
 
 std::string mark_item(const std::string& file, int point_type, const char* colour, const char* label) {
@@ -61,10 +63,10 @@ Plot study_plot(const StudyPicture& picture) {
     const std::size_t rows = (picture.panels.size() + columns - 1) / columns;
     Plot plot{1500, static_cast<int>(120 + 450 * rows), {}, {}};
     plot.script = fmt::format(
-        "set multiplot layout {},{} title {} noenhanced margins 0.06,0.985,0.21,0.92 spacing 0.05,0.11\n"
+        "set multiplot layout {},{} title {} noenhanced margins 0.075,0.985,0.22,0.92 spacing 0.05,0.11\n"
         "set logscale xy\nset format x '10^{{%L}}'\nset format y '%g'\nset xlabel 'DEM steps'\n"
         "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n"
-        "set key at screen 0.5,0.065 center center horizontal maxcols 4 maxrows 3 width 1 samplen 2\n",
+        "set key at screen 0.5,0.065 center center vertical maxrows 4 width 1 samplen 2\n",
         rows, columns, literal(picture.title));
     for (std::size_t k = 0; k < picture.panels.size(); ++k) add_panel(plot, picture.panels[k], k);
     plot.script += "unset multiplot\n";
