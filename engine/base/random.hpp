@@ -3,8 +3,8 @@
 
 namespace sandgraph {
 
-// Counter-based random numbers: the value depends on (seed, stream, counter) only, so results do not depend on
-// the order of calls or on the thread count. Mixing function: splitmix64 (Steele, Lea & Flood 2014).
+// Counter-based random numbers: the value depends on (seed, stream, counter) only, so results do not depend
+// on the order of calls or on the thread count. Mixing function: splitmix64 (Steele, Lea & Flood 2014).
 class Random {
   public:
     explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : key_(mix(seed) ^ mix(~stream)) {}

@@ -21,9 +21,12 @@ struct Stress {
 inline Stress tension_positive(const Mat2& compression) {
     return {-compression(0, 0), -compression(1, 1), -0.5 * (compression(0, 1) + compression(1, 0))};
 }
-inline Mat2 compression_positive(const Stress& s) { return (Mat2() << -s.xx, -s.xy, -s.xy, -s.yy).finished(); }
+inline Mat2 compression_positive(const Stress& s) {
+    return (Mat2() << -s.xx, -s.xy, -s.xy, -s.yy).finished();
+}
 
-// Mean stress p = (s_xx + s_yy)/2 [Pa] and deviator q = radius of Mohr's circle [Pa], both compression positive.
+// Mean stress p = (s_xx + s_yy)/2 [Pa] and deviator q = radius of Mohr's circle [Pa], both compression
+// positive.
 inline double mean_stress(const Stress& s) { return -0.5 * (s.xx + s.yy); }
 inline double deviator(const Stress& s) { return std::hypot(0.5 * (s.xx - s.yy), s.xy); }
 

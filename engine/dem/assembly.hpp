@@ -4,7 +4,8 @@
 
 namespace sandgraph::dem {
 
-// A packing in motion. Two kernels stand behind it: the reference step (YADE's, to round-off) and the fast one.
+// A packing in motion. Two kernels stand behind it: the reference step (YADE's, to round-off) and the fast
+// one.
 class Assembly {
   public:
     virtual ~Assembly() = default;

@@ -37,7 +37,8 @@ std::string axes(const io::Frame& frame, const GroundView& view, const Box& box)
     return fmt::format(
         "set title {} noenhanced offset 0,0.4\nset size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
         "set xlabel 'x [m]'\nset ylabel 'y [m]'\nset xtics nomirror\nset ytics nomirror\nset tics out\n"
-        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B' offset 0,-0.4\nunset key\nset clip two\n",
+        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B' offset 0,-0.4\nunset key\nset clip "
+        "two\n",
         title(frame, view), box.left, box.right, box.bottom, box.top, view.anchor_width, view.anchor_width);
 }
 

@@ -16,7 +16,7 @@ struct GroundView {
     double anchor_width = 1;        // B, for the axis in x/B
     bool has_plate = true;
     double plate_size_x = 1, plate_size_y = 0.1;  // of the whole plate; its centre comes with the frame
-    double window = 0;              // half width shown about the plate [m]; 0: the whole ground
+    double window = 0;                            // half width shown about the plate [m]; 0: the whole ground
     bool mirror = false;                          // half model: draw its mirror image about x = 0 too
 };
 

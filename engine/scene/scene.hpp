@@ -52,8 +52,8 @@ struct RveStepping {
     double inertial_number_max = 2e-3;
     double strain_per_step_max = 1e-5;
     double pressure_floor = 1000;     // p below which the inertial limit no longer tightens [Pa]
-    double update_tolerance = 0.005;   // error of the stress predicted between two DEM updates, share of p
-    double update_change_max = 0.05;   // largest predicted stress change between two, share of p
+    double update_tolerance = 0.005;  // error of the stress predicted between two DEM updates, share of p
+    double update_change_max = 0.05;  // largest predicted stress change between two, share of p
     int steps_min = 2;                // DEM steps an update at least
 };
 
