@@ -11,18 +11,14 @@
 #include "app/packing_cache.hpp"
 #include "app/prepare_packing.hpp"
 #include "dem/observe.hpp"
+#include "scene/check_scene.hpp"
 
 namespace sandgraph::app {
 namespace {
 
-int row_count(const scene::Domain& d) {
-    const double spacing = d.cell / std::lround(std::sqrt(d.points_per_cell));
-    return static_cast<int>(std::lround(d.depth / spacing));
-}
-
 std::vector<double> in_situ(const scene::Scene& scene, double density) {
-    const int rows = row_count(scene.domain);
-    const double spacing = scene.domain.depth / rows;
+    const double spacing = scene::point_spacing(scene.domain);
+    const auto rows = static_cast<int>(std::lround(scene.domain.depth / spacing));
     std::vector<double> out;
     out.reserve(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row)

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "report/analytic.hpp"
 #include "report/field_picture.hpp"
 #include "report/load_picture.hpp"
+#include "scene/check_scene.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -49,7 +48,7 @@ report::GroundView view_of(const scene::Scene& scene) {
     report::GroundView view;
     view.title = title_of(scene);
     view.width = scene.domain.width, view.surface = scene.domain.depth;
-    view.point_size = scene.domain.cell / std::lround(std::sqrt(scene.domain.points_per_cell));
+    view.point_size = scene::point_spacing(scene.domain);
     view.anchor_width = a.width, view.has_plate = a.present;
     view.plate_size_x = horizontal(scene) ? a.width : a.thickness;
     view.plate_size_y = horizontal(scene) ? a.thickness : a.width;
@@ -61,7 +60,7 @@ report::GroundView view_of(const scene::Scene& scene) {
 }  // namespace
 
 std::string draw_pictures(const std::filesystem::path& folder, const RunSession& session,
-                          const scene::Scene& scene, const PreparedGround& ground, const io::Summary&) {
+                          const scene::Scene& scene, const PreparedGround& ground) {
     const std::filesystem::path to = folder / "pictures";
     std::filesystem::create_directories(to);
     report::Picture last{true, ""};

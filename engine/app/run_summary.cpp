@@ -53,6 +53,12 @@ void add_grains(const graph::Pull& pull, io::Summary& s) {
     s.extra.emplace_back("inertial_number_max", c.inertial_number_max);
 }
 
+double extra(const io::Summary& s, const std::string& key) {
+    for (const auto& [name, value] : s.extra)
+        if (name == key) return value;
+    return 0;
+}
+
 }  // namespace
 
 io::Summary summarise(const RunSession& session, const scene::Scene& scene, const PreparedGround& ground,
@@ -90,6 +96,10 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene, const 
     }
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");
+    if (const double failures = extra(s, "rve_failures"); failures > 0)
+        out += fmt::format(
+            "warning: {:.0f} DEM updates failed and kept their last stress; do not trust this run\n",
+            failures);
     return out;
 }
 

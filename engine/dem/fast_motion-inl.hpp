@@ -24,10 +24,8 @@ struct Gradient {
 
 // a (1 - alpha sign(a (w + dt a/2))), Cundall's local damping on the velocity w.
 HWY_INLINE V Damped(V a, V w, V half_dt, V alpha) {
-    const D d;
     const V power = hn::Mul(a, hn::MulAdd(half_dt, a, w));
     return hn::NegMulAdd(a, hn::CopySign(alpha, power), a);
-    (void)d;
 }
 
 // `kKick`: velocities from forces; `kDrift`: jump to the new gradient and move. Returns max |v - L x|^2.
