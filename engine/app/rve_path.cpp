@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "dem/observe.hpp"
-#include "dem/stretch.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -35,22 +34,12 @@ class RveOnStand {
     }
     dem::ElementRow row() {
         follow();
-        return {steps_, static_cast<double>(steps_) * path_.test.dt, F_, F_ * H_0_, observe()};
+        return {steps_, static_cast<double>(steps_) * path_.test.dt, F_, F_ * H_0_,
+                dem::observe(rve_, path_.material)};
     }
     std::int64_t steps() const { return steps_; }
 
   private:
-    // The packing lies in its own frame, which turned with the sample.
-    dem::Observables observe() const {
-        const dem::Packing packing = dem::to_packing(rve_.packing());
-        dem::Observables seen =
-            dem::observe(packing, dem::contact_forces(packing, path_.material), path_.material);
-        seen.stress = rve_.stress();
-        seen.fabric = dem::turned(seen.fabric, rve_.angle());
-        seen.porosity = rve_.porosity();
-        return seen;
-    }
-
     const RvePath& path_;
     dem::Rve rve_;
     dem::Workspace work_;

@@ -4,6 +4,7 @@
 
 #include "dem/observables.hpp"
 #include "dem/packing.hpp"
+#include "dem/rve.hpp"
 
 namespace sandgraph::dem {
 
@@ -27,5 +28,9 @@ Mat2 love_weber_stress(const Packing& packing, std::span<const ContactForce> con
 
 // Everything in Observables. H, radii, velocities and L are taken from `packing` (empty velocities: at rest).
 Observables observe(const Packing& packing, std::span<const ContactForce> contacts, const Material& material);
+
+// The same of a packing behind a material point, turned into the lab frame; `stress` is what the RVE answers,
+// `porosity` includes what a floating packing has opened.
+Observables observe(const Rve& rve, const Material& material);
 
 }  // namespace sandgraph::dem

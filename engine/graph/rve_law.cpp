@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/observe.hpp"
+
 namespace sandgraph::graph {
 namespace {
 
@@ -98,6 +100,7 @@ void RveLaw::route(const stress::Batch& batch) {
 void RveLaw::drive(const stress::Batch& batch) {
     reports_.resize(due_.size());
     errors_.resize(due_.size());
+    assign_records();
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, due_.size(), 1),
         [&](const auto& range) {
@@ -128,6 +131,7 @@ double RveLaw::next_allowance(double change, double error) const {
 void RveLaw::drive_point(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = due_[slot].point;
     reports_[slot] = rves_[p].update(collected_[p], setup_.material, setup_.options, workspaces_.local());
+    if (record_of_[slot] >= 0) record(slot, collected_[p]);
     const Stress predicted = batch.stress[p], now = tension_positive(rves_[p].stress());
     const double reference = scale(now), change = norm(change_[p]) / reference;
     errors_[slot] = norm({now.xx - predicted.xx, now.yy - predicted.yy, now.xy - predicted.xy}) / reference;
@@ -135,6 +139,30 @@ void RveLaw::drive_point(std::size_t slot, const stress::Batch& batch) {
     batch.stress[p] = now;
     collected_[p].setIdentity();
     change_[p] = {};
+}
+
+void RveLaw::watch(std::span<const std::int32_t> points) {
+    watch_.assign(rves_.size(), 0);
+    for (const std::int32_t p : points) watch_[static_cast<std::size_t>(p)] = 1;
+}
+
+// Records are owned by slot, so that their order hangs on no thread.
+void RveLaw::assign_records() {
+    record_of_.assign(due_.size(), -1);
+    std::int32_t count = 0;
+    for (std::size_t slot = 0; slot < due_.size() && !watch_.empty(); ++slot)
+        if (watch_[static_cast<std::size_t>(due_[slot].point)]) record_of_[slot] = count++;
+    watched_.resize(static_cast<std::size_t>(count));
+}
+
+void RveLaw::record(std::size_t slot, const Mat2& F_inc) {
+    const std::int32_t p = due_[slot].point;
+    watched_[static_cast<std::size_t>(record_of_[slot])] = {p,
+                                                            F_inc,
+                                                            reports_[slot],
+                                                            rves_[p].stress(),
+                                                            rves_[p].volume_ratio(),
+                                                            dem::observe(rves_[p], setup_.material)};
 }
 
 std::size_t RveLaw::owning() const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "dem/observables.hpp"
 #include "dem/rve.hpp"
 #include "stress/law.hpp"
 
@@ -38,6 +39,16 @@ struct RveCounters {
     double inertial_number_max = 0;
 };
 
+// What a DEM update of a watched point did, for the history log.
+struct RveUpdate {
+    std::int32_t point = 0;
+    Mat2 F_inc = Mat2::Identity();  // since the point's previous update, with its spin
+    dem::RveReport report;
+    Mat2 stress = Mat2::Zero();  // after it [Pa], compression positive, lab frame, not symmetrised
+    double volume_ratio = 1;     // J since the start
+    dem::Observables seen;       // lab frame
+};
+
 // A packing of grains at every material point, behind the stress contract. Between two DEM updates a point's
 // stress follows its small-strain stiffness. How far that prediction may move the stress before the grains
 // are asked is each point's own allowance: it grows while predictions come true and shrinks where they do
@@ -58,7 +69,10 @@ class RveLaw : public stress::Law {
     const RveCounters& counters() const { return counters_; }
     // The DEM updates of the last step in the order they were started, longest expected first.
     const std::vector<dem::RveReport>& last_reports() const { return reports_; }
-    std::size_t owning() const;  // points that own a packing
+    // Records every DEM update of these points from now on.
+    void watch(std::span<const std::int32_t> points);
+    const std::vector<RveUpdate>& watched_updates() const { return watched_; }  // of the last step
+    std::size_t owning() const;                                                 // points that own a packing
     const dem::Rve& rve(std::size_t point) const { return rves_[point]; }
     // Deformation since the last DEM update is not in the packing yet; this includes it.
     double porosity(std::size_t point) const;
@@ -72,6 +86,8 @@ class RveLaw : public stress::Law {
     void predict_point(std::int32_t point, const Mat2& F_inc, Stress& s);
     double next_allowance(double change, double error) const;
     void drive_point(std::size_t slot, const stress::Batch& batch);
+    void assign_records();
+    void record(std::size_t slot, const Mat2& F_inc);
 
     RveLawSetup setup_;
     std::vector<dem::Rve> rves_;
@@ -82,6 +98,9 @@ class RveLaw : public stress::Law {
     std::vector<Due> due_;
     std::vector<dem::RveReport> reports_;                         // by slot of due_
     std::vector<double> errors_;                                  // by slot of due_
+    std::vector<std::uint8_t> watch_;                             // by point
+    std::vector<RveUpdate> watched_;                              // in the order of due_
+    std::vector<std::int32_t> record_of_;                         // by slot of due_: in watched_, or -1
     tbb::enumerable_thread_specific<dem::Workspace> workspaces_;  // scratch, no state
     RveCounters counters_;
 };

@@ -99,5 +99,41 @@ TEST(RveLaw, ABadIncrementIsCountedAndLeavesTheRestAlone) {
     EXPECT_EQ(bench.stress[0], tension_positive(public_packing().packing->stress));
 }
 
+// One step of a path on which the points part; point 1 turns and reverses.
+void shear_unevenly(Bench& bench, int step) {
+    for (std::size_t p = 0; p < bench.F.size(); ++p)
+        bench.F[p] = increment(2e-6 * static_cast<double>(p), 3e-6, -1e-6);
+    bench.F[1](0, 1) += step % 3 ? 4e-6 : -6e-6;
+    bench.law.update(bench.batch());
+}
+
+TEST(RveLaw, WatchedUpdatesReplayToTheSameStress) {
+    Bench bench(3);
+    bench.law.watch(std::vector<std::int32_t>{1});
+    dem::Rve twin(public_packing().packing);
+    dem::Workspace work;
+    int updates = 0;
+    for (int step = 0; step < 300; ++step) {
+        shear_unevenly(bench, step);
+        for (const RveUpdate& u : bench.law.watched_updates()) {
+            ++updates;
+            EXPECT_EQ(u.point, 1);
+            EXPECT_EQ(twin.update(u.F_inc, {}, {}, work).dem_steps, u.report.dem_steps);
+            EXPECT_EQ(twin.stress(), u.stress);
+            EXPECT_EQ(twin.volume_ratio(), u.volume_ratio);
+            EXPECT_NEAR(u.seen.fabric.trace(), 1, 1e-12);
+        }
+    }
+    EXPECT_GT(updates, 5);
+}
+
+TEST(RveLaw, WatchingChangesNoBit) {
+    Bench watched(3), alone(3);
+    watched.law.watch(std::vector<std::int32_t>{0, 2});
+    for (int step = 0; step < 100; ++step) shear_unevenly(watched, step), shear_unevenly(alone, step);
+    EXPECT_EQ(watched.stress, alone.stress);
+    EXPECT_TRUE(alone.law.watched_updates().empty());
+}
+
 }  // namespace
 }  // namespace sandgraph::graph
