@@ -19,7 +19,7 @@ ARROWS = {
     "mpm": {"base"},
     "stress": {"base"},
     "scene": {"base", "dem"},
-    "io": {"base", "dem"},
+    "io": {"base", "dem", "stress"},
     "report": {"base", "dem", "io"},
     "graph": {"base", "dem", "mpm", "stress"},
     "app": {"base", "dem", "mpm", "stress", "graph", "scene", "io", "report", "surrogate"},

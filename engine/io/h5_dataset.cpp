@@ -123,23 +123,27 @@ void append(Group& group, std::string_view name, std::span<const T> values) {
     if (values.empty()) return;
     const Handle id = open_dataset(group, name);
     const std::string action = "append to " + group.path_of(name);
-    const hsize_t start = shape_of(id).at(0), count = values.size(), size = start + count;
-    check(H5Dset_extent(id.get(), &size), group.file(), action);
-    const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose),
+    std::vector<hsize_t> size = to_hsize(shape_of(id)), count = size, start(size.size(), 0);
+    start.at(0) = size[0];
+    count[0] = values.size() / std::accumulate(size.begin() + 1, size.end(), hsize_t{1}, std::multiplies<>());
+    size[0] += count[0];
+    check(H5Dset_extent(id.get(), size.data()), group.file(), action);
+    const int axes = static_cast<int>(size.size());
+    const Handle memory(H5Screate_simple(axes, count.data(), nullptr), H5Sclose),
         space(H5Dget_space(id.get()), H5Sclose);
-    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &start, nullptr, &count, nullptr);
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
     check(H5Dwrite(id.get(), native<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()),
           group.file(), action);
 }
 
 void truncate(Group& group, std::string_view name, std::size_t size) {
     const Handle id = open_dataset(group, name);
-    const Shape now = shape_of(id);
-    if (now.size() != 1 || now[0] < size)
+    std::vector<hsize_t> wanted = to_hsize(shape_of(id));
+    if (wanted.empty() || wanted[0] < size)
         refuse(group, fmt::format("{} is too short", group.path_of(name)),
                fmt::format("{} entries needed", size));
-    const hsize_t wanted = size;
-    check(H5Dset_extent(id.get(), &wanted), group.file(), "truncate " + group.path_of(name));
+    wanted[0] = size;
+    check(H5Dset_extent(id.get(), wanted.data()), group.file(), "truncate " + group.path_of(name));
 }
 
 template <class T>

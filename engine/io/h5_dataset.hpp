@@ -20,11 +20,11 @@ template <class T>
 void write(Group& group, std::string_view name, std::span<const T> values, const Shape& shape,
            std::string_view unit = "", Storage storage = Storage::packed);
 
-// A growing dataset of one axis gets `values` appended.
+// A growing dataset gets `values`, whole rows of it, appended along its first axis.
 template <class T>
 void append(Group& group, std::string_view name, std::span<const T> values);
 
-// Cuts a growing dataset of one axis to its first `size` entries (InputError when it is shorter).
+// Cuts a growing dataset to its first `size` rows (InputError when it is shorter).
 void truncate(Group& group, std::string_view name, std::size_t size);
 
 // InputError when missing, damaged, or not of T's class (real or integer) and size.

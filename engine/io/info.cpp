@@ -6,6 +6,8 @@
 #include "io/h5_attribute.hpp"
 #include "io/h5_dataset.hpp"
 #include "io/h5_file.hpp"
+#include "io/history_file.hpp"
+#include "io/history_overview.hpp"
 #include "io/seal.hpp"
 
 namespace sandgraph::io {
@@ -33,6 +35,8 @@ std::string dataset_line(const h5::Group& group, const std::string& name, const 
     std::string line = fmt::format("{}{:<18} {} ({})", indent, name, h5::type_name(group, name), shape);
     if (h5::has_attribute(group, name, "unit"))
         line += fmt::format(" [{}]", h5::get_text(group, name, "unit"));
+    if (h5::has_attribute(group, name, "values"))
+        line += fmt::format(" ({})", h5::get_text(group, name, "values"));
     return line + "\n";
 }
 
@@ -55,7 +59,10 @@ std::string info(const std::filesystem::path& path) {
     const h5::File file = h5::File::open(path);
     const h5::Group root = file.root();
     std::string text = path.string() + "\n";
-    if (h5::has_attribute(root, ".", "content") && h5::get_text(root, ".", "content") == "checkpoint") {
+    const std::string content =
+        h5::has_attribute(root, ".", "content") ? h5::get_text(root, ".", "content") : "";
+    if (content == "history") text += history_overview(read_history(path));
+    if (content == "checkpoint") {
         if (const auto problem = broken_seal(path))
             throw InputError({path.string()}, "the checkpoint is damaged", *problem,
                              "use the one before it, *.prev");
