@@ -24,7 +24,7 @@ ARROWS = {
     "graph": {"base", "dem", "mpm", "stress"},
     "app": {"base", "dem", "mpm", "stress", "graph", "scene", "io", "report", "surrogate"},
     # beside engine/
-    "surrogate": {"base", "stress"},
+    "surrogate": {"base", "stress", "io"},
     "training": {"base", "dem", "stress", "io", "scene", "surrogate"},
 }
 TOP_LEVEL = {"engine", "surrogate", "training", "configs", "tests", "cmake"}

@@ -1,0 +1,33 @@
+#include "surrogate/coefficients.hpp"
+
+namespace sandgraph::surrogate {
+namespace {
+
+constexpr double never_slips = 1e9;
+
+double tanh_dilatancy(const Member& m, std::size_t k, double output) {
+    return m.share[k] * std::tanh(m.dilatancy[k] + output);
+}
+
+}  // namespace
+
+Coefficients coefficients(const Model& model, const Member& m, const PointConstants& point, double p,
+                          double strength_scale, std::span<const double> outputs) {
+    const std::size_t M = model.elements;
+    const auto output = [&](std::size_t i) { return outputs.empty() ? 0.0 : outputs[i]; };
+    const auto factor = [&](std::size_t i, double b) { return bounded_factor(output(i), b); };
+    const double stiffening = std::pow(p / point.pressure, m.exponent);
+    Coefficients c;
+    c.bulk = point.bulk * stiffening * m.bulk * factor(3 * M, model.bounds.bulk);
+    for (std::size_t k = 0; k < M; ++k) {
+        c.shear.push_back(point.shear * stiffening * m.share[k] * factor(k, model.bounds.shear));
+        const double limit = model.frictional ? m.strength[k] * factor(M + k, model.bounds.strength)
+                                              : never_slips * m.share[k];
+        c.strength.push_back(strength_scale * limit);
+        // At most twice the friction: slip never makes energy, 2 t : dgamma >= p D dgamma.
+        c.dilatancy.push_back(std::min(tanh_dilatancy(m, k, output(2 * M + k)), 2 * c.strength.back()));
+    }
+    return c;
+}
+
+}  // namespace sandgraph::surrogate

@@ -1,0 +1,29 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "surrogate/features.hpp"
+
+namespace sandgraph::surrogate {
+
+// What the elements obey during one substep.
+struct Coefficients {
+    double bulk = 0;                // K [Pa]
+    std::vector<double> shear;      // G_k [Pa]
+    std::vector<double> strength;   // r_k: |t_k| <= r_k p
+    std::vector<double> dilatancy;  // D_k: plastic volume -D_k dgamma_k, compression positive
+};
+
+// (1 + b e^o)/(b + e^o), between 1/b and b, 1 at o = 0.
+inline double bounded_factor(double o, double b) {
+    const double u = std::exp(o);
+    return (1 + b * u) / (b + u);
+}
+
+// `outputs` [3 M + 1] of the member's network, or empty for the fitted constants alone. p [Pa] is the mean
+// stress there, `strength_scale` the point's own factor on the friction limits (1 but for a start above
+// them).
+Coefficients coefficients(const Model& model, const Member& member, const PointConstants& point, double p,
+                          double strength_scale, std::span<const double> outputs);
+
+}  // namespace sandgraph::surrogate
