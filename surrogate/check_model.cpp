@@ -55,9 +55,9 @@ void check_layers(const Check& check, const std::string& name, const Model& mode
     for (std::size_t l = 0; l < member.layers.size(); ++l) {
         const Layer& layer = member.layers[l];
         const std::string here = fmt::format("{}/layer_{}", name, l);
-        if (layer.inputs != width || layer.outputs < 1 || layer.outputs > 128)
+        if (layer.inputs != width || layer.outputs < 1 || layer.outputs > max_width)
             check.refuse(fmt::format("{} is {} x {}", here, layer.outputs, layer.inputs),
-                         fmt::format("{} inputs and 1 to 128 outputs expected", width));
+                         fmt::format("{} inputs and 1 to {} outputs expected", width, max_width));
         check.all_in(here + "/weight", layer.weight, layer.outputs * layer.inputs, -1e3, 1e3);
         check.all_in(here + "/bias", layer.bias, layer.outputs, -1e3, 1e3);
         width = layer.outputs;
@@ -83,8 +83,8 @@ void check_model(const Model& model, const std::string& file) {
     if (model.features != feature_version)
         check.refuse(fmt::format("the model's features are version {}", model.features),
                      fmt::format("this program computes version {}", feature_version));
-    check.in("the number of elements", static_cast<double>(model.elements), 1, 16);
-    check.in("the number of members", static_cast<double>(model.members.size()), 1, 16);
+    check.in("the number of elements", static_cast<double>(model.elements), 1, max_elements);
+    check.in("the number of members", static_cast<double>(model.members.size()), 1, max_members);
     check.in("substep", model.substep, 1e-6, 1e-2);
     check.in("bound_shear", model.bounds.shear, 1, 5);
     check.in("bound_strength", model.bounds.strength, 1, 5);

@@ -3,8 +3,6 @@
 namespace sandgraph::surrogate {
 namespace {
 
-constexpr double never_slips = 1e9;
-
 double tanh_dilatancy(const Member& m, std::size_t k, double output) {
     return m.share[k] * std::tanh(m.dilatancy[k] + output);
 }

@@ -6,6 +6,9 @@
 
 namespace sandgraph::surrogate {
 
+// Friction limit of the elastic rung, over the element's share.
+inline constexpr double never_slips = 1e9;
+
 // What the elements obey during one substep.
 struct Coefficients {
     double bulk = 0;                // K [Pa]

@@ -1,13 +1,13 @@
 #include "surrogate/load_surrogate.hpp"
 
 #include "surrogate/model_file.hpp"
-#include "surrogate/reference.hpp"
 #include "surrogate/self_test.hpp"
+#include "surrogate/serving.hpp"
 
 namespace sandgraph::surrogate {
 
 std::unique_ptr<stress::Surrogate> make_surrogate(const Model& model) {
-    return std::make_unique<Reference>(model);
+    return std::make_unique<Serving>(model);
 }
 
 std::unique_ptr<stress::Surrogate> load_surrogate(const std::filesystem::path& path) {

@@ -9,6 +9,9 @@ namespace sandgraph::surrogate {
 inline constexpr int feature_version = 2;        // of features.hpp and element_update.hpp together
 inline constexpr std::size_t feature_count = 9;  // in the order of features.hpp
 
+// Most that a model may have; check_model refuses more.
+inline constexpr std::size_t max_elements = 16, max_members = 16, max_width = 128;
+
 // y = weight x + bias; weight is row-major [outputs x inputs].
 struct Layer {
     std::size_t inputs = 0, outputs = 0;

@@ -116,13 +116,13 @@ Model read_numbers(const h5::Group& root) {
     Model model;
     model.features = static_cast<int>(h5::get_integer(root, ".", "feature_version"));
     if (model.features != feature_version) return model;  // check_model says so
-    model.elements = read_count(root, "elements", 16);
+    model.elements = read_count(root, "elements", max_elements);
     model.frictional = read_count(root, "frictional", 1) == 1;
     each_scalar([&](const char* name, double& v) { v = h5::get_real(root, ".", name); }, model);
     model.data_hash = h5::get_text(root, ".", "data_hash");
     model.description = h5::get_text(root, ".", "description");
     read_features(root.open("features"), model);
-    for (std::size_t m = 0, n = read_count(root, "members", 16); m < n; ++m)
+    for (std::size_t m = 0, n = read_count(root, "members", max_members); m < n; ++m)
         model.members.push_back(read_member(root.open(fmt::format("member_{}", m))));
     return model;
 }

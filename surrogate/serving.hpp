@@ -1,0 +1,22 @@
+#pragma once
+#include "surrogate/reference.hpp"
+
+namespace sandgraph::surrogate {
+
+// The law of a model, served by the vectorised kernel.
+class Serving final : public stress::Surrogate {
+  public:
+    explicit Serving(Model model);
+    std::size_t state_size() const override { return layout_.size(); }
+    void start(const stress::PackingTraits& traits, const Stress& initial,
+               std::span<double> state) const override;
+    void update(std::span<const std::int32_t> points, std::span<const Mat2> F_inc, std::span<double> states,
+                std::span<stress::SurrogateAnswer> answers) const override;
+    stress::Tangent tangent(std::span<const double> state, const Eigen::Vector3d& strain) const override;
+
+  private:
+    Model model_;
+    StateLayout layout_;
+};
+
+}  // namespace sandgraph::surrogate
