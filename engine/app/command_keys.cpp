@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "scene/element_test_keys.hpp"
 #include "scene/key_help.hpp"
+#include "scene/probe_spec.hpp"
 #include "scene/recipe_spec.hpp"
 #include "scene/scene_keys.hpp"
 
@@ -21,6 +22,8 @@ std::string help_of(const std::string& what) {
     if (what == "path") return test_help(scene::TestKind::path);
     if (what == "biaxial") return test_help(scene::TestKind::biaxial);
     if (what == "isotropic") return test_help(scene::TestKind::isotropic);
+    scene::ProbeSpec probe;
+    if (what == "probe") return scene::key_help(scene::probe_keys(probe));
     scene::RecipeSpec recipe;
     if (what == "recipe") return scene::key_help(scene::recipe_keys(recipe));
     scene::Scene scene;
@@ -33,8 +36,8 @@ void add_keys_command(CLI::App& app, int&) {
     CLI::App* keys =
         app.add_subcommand("keys", "lists every key of an input file with default, unit and range");
     auto what = std::make_shared<std::string>("scene");
-    keys->add_option("file", *what, "scene, recipe, path, biaxial or isotropic")
-        ->check(CLI::IsMember({"scene", "recipe", "path", "biaxial", "isotropic"}));
+    keys->add_option("file", *what, "scene, recipe, probe, path, biaxial or isotropic")
+        ->check(CLI::IsMember({"scene", "recipe", "probe", "path", "biaxial", "isotropic"}));
     keys->callback([what] { fmt::print("{}", help_of(*what)); });
 }
 

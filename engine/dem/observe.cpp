@@ -9,8 +9,8 @@
 namespace sandgraph::dem {
 namespace {
 
-// A contact counts as sliding when the Coulomb limit is reached up to round-off.
-constexpr double at_limit = 1 - 1e-9;
+// A contact counts as sliding when the Coulomb limit is reached up to the round-off of a CompactPacking.
+constexpr double at_limit = 1 - 1e-6;
 
 void observe_fabric(Observables& out, std::span<const ContactForce> contacts) {
     if (contacts.empty()) return;

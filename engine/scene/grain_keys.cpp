@@ -54,16 +54,21 @@ void add_material_keys(KeyTable& keys, dem::Material& m) {
                   "elastic-plastic, or eq. 10 as read");
 }
 
+void add_disk_keys(KeyTable& keys, Grains& g) {
+    auto grains = keys.section("grains");
+    grains.integer("count", g.count, 20, "disks in a packing");
+    grains.real("radius_min", g.radius_min, "mm", above(0), "smallest disk");
+    grains.real("radius_max", g.radius_max, "mm", above(0), "largest disk");
+    grains.real("consolidation_pressure", g.consolidation_pressure, "kPa", above(0), "of the base packing");
+}
+
 void add_grain_keys(KeyTable& keys, Grains& g) {
     auto grains = keys.section("grains");
     grains.add("density", std::make_unique<DensityName>(g.density),
                "dense: porosity 0.16; loose: 0.20; custom: by target_porosity");
     grains.real("target_porosity", g.target_porosity, "", within(0.1, 0.3),
                 "2D, of the base packing (custom)");
-    grains.integer("count", g.count, 20, "disks in a packing");
-    grains.real("radius_min", g.radius_min, "mm", above(0), "smallest disk");
-    grains.real("radius_max", g.radius_max, "mm", above(0), "largest disk");
-    grains.real("consolidation_pressure", g.consolidation_pressure, "kPa", above(0), "of the base packing");
+    add_disk_keys(keys, g);
     grains.integer("seed", g.seed, 0, "of the random packing; another seed is another sample");
     grains.input_file("packing", g.packing, "start from this .csv or .h5 instead of the recipe").in_hash =
         false;
@@ -93,6 +98,16 @@ void complete_grains(const KeyTable& keys, Grains& g) {
         refuse_given(keys, "grains.target_porosity", g);
         g.target_porosity = preset.porosity;
     }
+    check_disks(keys, g);
+}
+
+std::string density_name(double porosity) {
+    for (const Preset& preset : presets)
+        if (porosity == preset.porosity) return preset.density;
+    return "custom";
+}
+
+void check_disks(const KeyTable& keys, const Grains& g) {
     if (g.radius_min > g.radius_max) {
         const Key& key = keys.at("grains.radius_min");
         throw InputError(key.where, fmt::format("grains.radius_min = {}", key.value->shown()),

@@ -7,6 +7,13 @@ namespace sandgraph::scene {
 // Contact parameters of the grains, keys of [grains] in scenes, recipes and element tests.
 void add_material_keys(KeyTable& keys, dem::Material& material);
 
+// Number and sizes of the disks, [grains], and their check as a whole.
+void add_disk_keys(KeyTable& keys, Grains& grains);
+void check_disks(const KeyTable& keys, const Grains& grains);
+
+// "dense", "loose" or "custom" by target porosity.
+std::string density_name(double porosity);
+
 // The whole recipe, [grains].
 void add_grain_keys(KeyTable& keys, Grains& grains);
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "scene/element_test_spec.hpp"
+#include "scene/probe_spec.hpp"
 #include "scene/recipe_spec.hpp"
 #include "tests/unit/scene/refused.hpp"
 
@@ -16,6 +17,8 @@ TEST(Configs, AllAreValid) {
         if (entry.path().extension() != ".toml") continue;
         if (name.starts_with("rve_"))
             EXPECT_NO_THROW(read_recipe(entry.path().string())) << name;
+        else if (name.starts_with("probe"))
+            EXPECT_NO_THROW(read_probe(entry.path().string())) << name;
         else if (name == "biaxial.toml" || name == "path.toml")
             EXPECT_NO_THROW(read_element_test(entry.path().string())) << name;
         else
