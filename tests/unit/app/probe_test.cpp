@@ -144,10 +144,9 @@ TEST(Probe, TwinsRepeatTheStrainOfTheirOriginal) {
         seen.insert(twin.twin);
         const io::HistoryInfo& first = log.histories[static_cast<std::size_t>(twin.twin_of)];
         EXPECT_EQ(first.path, twin.path);
-        if (twin.twin == HistoryTwin::other_seed)
-            EXPECT_NE(log.packings[twin.packing].seed, log.packings[first.packing].seed);
-        else
-            EXPECT_EQ(twin.packing, first.packing);
+        const bool other_seed = log.packings[twin.packing].seed != log.packings[first.packing].seed;
+        EXPECT_EQ(other_seed, twin.twin == HistoryTwin::other_seed);
+        EXPECT_EQ(twin.packing == first.packing, !other_seed);
     }
     EXPECT_EQ(seen.size(), 4u);
 }
