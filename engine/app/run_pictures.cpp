@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/finished_run.hpp"
 #include "report/analytic.hpp"
 #include "report/field_picture.hpp"
 #include "report/load_picture.hpp"
@@ -19,28 +20,10 @@ constexpr Shown kFields[] = {{report::Quantity::displacement, "displacement"},
                              {report::Quantity::rotation, "rotation"},
                              {report::Quantity::porosity, "porosity"}};
 
-bool horizontal(const scene::Scene& s) { return s.anchor.orientation == scene::Orientation::horizontal; }
-
-std::string title_of(const scene::Scene& scene) {
-    return scene.title.empty() ? std::filesystem::path(scene.file).stem().string() : scene.title;
-}
-
-report::LoadPicture load_picture(const RunSession& session, const scene::Scene& scene,
-                                 const PreparedGround& ground) {
-    report::LoadCurve curve;
-    curve.label = title_of(scene);
-    for (const io::LoadRow& row : session.record().load)
-        curve.d_over_B.push_back(row.d_over_B), curve.load.push_back(row.load);
-    curve.unit_load = unit_load(scene, ground);
-    curve.breakout = report::breakout(curve.d_over_B, curve.load);
-    report::LoadPicture picture{title_of(scene), {curve}, {}};
-    if (ground.friction_angle <= 0) return picture;
-    const double ratio = scene.anchor.embedment_ratio, phi = ground.friction_angle;
-    picture.references.push_back(
-        horizontal(scene)
-            ? report::ReferenceLine{"Meyerhof & Adams (1968)", report::meyerhof_adams(ratio, phi)}
-            : report::ReferenceLine{"Biarez (1965)", report::biarez(ratio, phi)});
-    return picture;
+report::ReferenceLine formula(const PictureSource& source) {
+    const double ratio = source.scene.anchor.embedment_ratio, phi = source.friction_angle;
+    if (pulled_up(source.scene)) return {"Meyerhof & Adams (1968)", report::meyerhof_adams(ratio, phi)};
+    return {"Biarez (1965)", report::biarez(ratio, phi)};
 }
 
 report::GroundView view_of(const scene::Scene& scene) {
@@ -50,32 +33,46 @@ report::GroundView view_of(const scene::Scene& scene) {
     view.width = scene.domain.width, view.surface = scene.domain.depth;
     view.point_size = scene::point_spacing(scene.domain);
     view.anchor_width = a.width, view.has_plate = a.present;
-    view.plate_size_x = horizontal(scene) ? a.width : a.thickness;
-    view.plate_size_y = horizontal(scene) ? a.thickness : a.width;
-    view.mirror = horizontal(scene);
+    view.plate_size_x = pulled_up(scene) ? a.width : a.thickness;
+    view.plate_size_y = pulled_up(scene) ? a.thickness : a.width;
+    view.mirror = pulled_up(scene);
     view.window = (a.embedment_ratio + 2) * a.width;
     return view;
 }
 
 }  // namespace
 
-std::string draw_pictures(const std::filesystem::path& folder, const RunSession& session,
-                          const scene::Scene& scene, const PreparedGround& ground) {
-    const std::filesystem::path to = folder / "pictures";
+report::LoadCurve load_curve(const PictureSource& source) {
+    report::LoadCurve curve;
+    curve.label = title_of(source.scene);
+    for (const io::LoadRow& row : source.record.load)
+        curve.d_over_B.push_back(row.d_over_B), curve.load.push_back(row.load);
+    curve.unit_load = source.unit_load;
+    curve.breakout = report::breakout(curve.d_over_B, curve.load);
+    return curve;
+}
+
+std::string draw_pictures(const std::filesystem::path& to, const PictureSource& source) {
     std::filesystem::create_directories(to);
     report::Picture last{true, ""};
-    if (scene.anchor.present)
-        last = report::draw_load_picture(load_picture(session, scene, ground), to / "load.png");
-    const report::GroundView view = view_of(scene);
-    for (std::size_t k = 0; last.drawn && k < session.record().frames; ++k) {
-        const io::Frame frame = io::read_run_frame(session.frame_file(), k);
+    if (source.scene.anchor.present) {
+        report::LoadPicture picture{title_of(source.scene), {load_curve(source)}, {}};
+        if (source.friction_angle > 0) picture.references = {formula(source)};
+        last = report::draw_load_picture(picture, to / "load.png");
+    }
+    const report::GroundView view = view_of(source.scene);
+    for (std::size_t k = 0; last.drawn && k < source.record.frames; ++k) {
+        const io::Frame frame = io::read_run_frame(source.frame_file, k);
         for (const Shown& field : kFields)
             if (last.drawn)
-                last = report::draw_field_picture(
-                    frame, field.quantity, view,
-                    to / fmt::format("{}_{:04.0f}.png", field.name, 1e3 * frame.d_over_B));
+                last = report::draw_field_picture(frame, field.quantity, view,
+                                                  to / picture_name(field.name, frame.d_over_B));
     }
     return last.drawn ? fmt::format("pictures in {}", to.string()) : "no pictures: " + last.message;
+}
+
+std::string picture_name(const std::string& field, double d_over_B) {
+    return fmt::format("{}_{:04.0f}.png", field, 1e3 * d_over_B);
 }
 
 }  // namespace sandgraph::app

@@ -1,13 +1,27 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
-#include "app/run_session.hpp"
+#include "io/run_record.hpp"
+#include "report/load_picture.hpp"
+#include "scene/scene.hpp"
 
 namespace sandgraph::app {
 
-// load.png and, for every frame, displacement, strain, rotation and porosity pictures in FOLDER/pictures.
-// Returns a line for the user: what was drawn, or why not.
-std::string draw_pictures(const std::filesystem::path& folder, const RunSession& session,
-                          const scene::Scene& scene, const PreparedGround& ground);
+// What the pictures of a run are made from, whether it has just ended or was read back from its folder.
+struct PictureSource {
+    const scene::Scene& scene;
+    const io::RunRecord& record;
+    std::filesystem::path frame_file;
+    double unit_load = 1;       // B gamma H [N/m]
+    double friction_angle = 0;  // measured on the packing [rad]; 0: unknown
+};
+
+// Draws load curve and fields of every frame into the folder. Returns one line for the user; pictures are an
+// extra, so that what went wrong is told there, not thrown.
+std::string draw_pictures(const std::filesystem::path& to, const PictureSource& source);
+
+report::LoadCurve load_curve(const PictureSource& source);
+std::string picture_name(const std::string& field, double d_over_B);  // file name
 
 }  // namespace sandgraph::app

@@ -1,0 +1,31 @@
+#include "app/finished_run.hpp"
+
+#include "base/error.hpp"
+#include "scene/read_scene.hpp"
+
+namespace sandgraph::app {
+
+double FinishedRun::number(const std::string& key) const {
+    for (const auto& [name, value] : summary.extra)
+        if (name == key) return value;
+    return io::Summary::unknown;
+}
+
+FinishedRun read_finished_run(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder / "run.h5"))
+        throw InputError({folder.string()}, "no run", "a run folder holds run.h5",
+                         "give the folder that `sandgraph run -o DIR` wrote");
+    FinishedRun run{folder, {}, io::read_run(folder / "run.h5"), io::read_summary(folder / "summary.json")};
+    run.scene = scene::parse_scene(run.record.info.scene_text, folder.filename().string());
+    return run;
+}
+
+std::string title_of(const scene::Scene& scene) {
+    return scene.title.empty() ? std::filesystem::path(scene.file).stem().string() : scene.title;
+}
+
+bool pulled_up(const scene::Scene& scene) {
+    return scene.anchor.orientation == scene::Orientation::horizontal;
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+
+#include "io/run_record.hpp"
+#include "io/summary.hpp"
+#include "report/peak.hpp"
+#include "scene/scene.hpp"
+
+namespace sandgraph::app {
+
+// A run as its folder keeps it, for whoever compares, reports or draws.
+struct FinishedRun {
+    std::filesystem::path folder;
+    scene::Scene scene;
+    io::RunRecord record;
+    io::Summary summary;
+
+    std::filesystem::path frame_file() const { return folder / "run.h5"; }
+    double number(const std::string& key) const;  // of the summary's further keys; NaN if it has none such
+};
+
+// InputError when the folder holds no finished run (run.h5 and summary.json).
+FinishedRun read_finished_run(const std::filesystem::path& folder);
+
+// What a picture calls the run: its scene's title, else the name of the scene file.
+std::string title_of(const scene::Scene& scene);
+
+bool pulled_up(const scene::Scene& scene);  // horizontal plate
+
+}  // namespace sandgraph::app
