@@ -100,6 +100,20 @@ void require_type(const Group& group, std::string_view name, const Handle& datas
         refuse(group, fmt::format("the dataset {} is {}", group.path_of(name), found), wanted + " expected");
 }
 
+// Entries of a dataset about to be read. A file may declare far more than it stores; deflate packs at most
+// 1032 to 1, so that what is asked of memory stays in proportion to the file.
+std::size_t entries(const Group& group, std::string_view name, const Handle& dataset,
+                    std::size_t entry_size) {
+    constexpr double most_packed = 1100, fixed = 1 << 20;
+    const Shape dims = shape_of(dataset);
+    double bytes = static_cast<double>(entry_size);
+    for (const std::size_t n : dims) bytes *= static_cast<double>(n);
+    if (bytes > most_packed * static_cast<double>(H5Dget_storage_size(dataset.get())) + fixed)
+        refuse(group, "the dataset " + group.path_of(name) + " is damaged",
+               "it declares more entries than it can hold");
+    return std::accumulate(dims.begin(), dims.end(), std::size_t{1}, std::multiplies<>());
+}
+
 }  // namespace
 
 template <class T>
@@ -150,8 +164,7 @@ template <class T>
 std::vector<T> read(const Group& group, std::string_view name) {
     const Handle id = open_dataset(group, name);
     require_type<T>(group, name, id);
-    const Shape dims = shape_of(id);
-    std::vector<T> values(std::accumulate(dims.begin(), dims.end(), std::size_t{1}, std::multiplies<>()));
+    std::vector<T> values(entries(group, name, id, sizeof(T)));
     if (!values.empty() && H5Dread(id.get(), native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
         refuse(group, "the dataset " + group.path_of(name) + " is damaged", last_error());
     return values;

@@ -1,18 +1,35 @@
 #include "io/h5_file.hpp"
 
+#include <fstream>
+#include <string_view>
+
 #include "base/error.hpp"
 
 namespace sandgraph::io::h5 {
 namespace {
 
 // With H5F_CLOSE_STRONG a forgotten handle cannot keep a file open (and locked) behind our back. The format
-// of HDF5 1.8 and later checksums its metadata and takes attributes beyond 64 kB (scene texts).
+// of HDF5 1.10 and later checksums all of its metadata and takes attributes beyond 64 kB (scene texts).
 Handle file_access() {
     Handle list = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5", "create a property list");
     H5Pset_fclose_degree(list.get(), H5F_CLOSE_STRONG);
-    H5Pset_libver_bounds(list.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+    H5Pset_libver_bounds(list.get(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
     return list;
 }
+
+// Version of the superblock, which stands behind an 8-byte signature at the start or after a user block.
+int superblock_version(const std::filesystem::path& path) {
+    constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+    std::ifstream in(path, std::ios::binary);
+    char head[9] = {};
+    for (std::streamoff at = 0; in.seekg(at) && in.read(head, sizeof head); at = at == 0 ? 512 : 2 * at)
+        if (std::string_view(head, 8) == signature) return static_cast<unsigned char>(head[8]);
+    return -1;
+}
+
+// Metadata without checksums makes HDF5 1.10 crash or ask for terabytes when it is damaged (found by
+// fuzzing).
+constexpr int first_checksummed = 2;
 
 void require_hdf5(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path))
@@ -20,6 +37,10 @@ void require_hdf5(const std::filesystem::path& path) {
     if (H5Fis_hdf5(path.c_str()) <= 0)
         throw InputError({path.string()}, "not an HDF5 file", "its signature is missing",
                          "give a file written by sandgraph (*.h5)");
+    if (superblock_version(path) < first_checksummed)
+        throw InputError({path.string()}, "an HDF5 file of the old format",
+                         "its metadata carries no checksums",
+                         "write it with libver=\"v110\" (h5py) or later");
 }
 
 }  // namespace

@@ -40,8 +40,11 @@ std::string dataset_line(const h5::Group& group, const std::string& name, const 
     return line + "\n";
 }
 
+constexpr std::size_t deepest = 32;  // spaces; a group may hold itself
+
 std::string tree(const h5::Group& group, const std::string& indent) {
     std::string text;
+    if (indent.size() > deepest) return indent + "...\n";
     for (const h5::Attribute& a : h5::attributes(group, "."))
         text += fmt::format("{}{} = {}\n", indent, a.name, shown(a.value));
     for (const std::string& name : group.names()) {
