@@ -123,6 +123,10 @@ void Rve::settle(const RveOptions& options) {
     floating_ = true;
 }
 
+double Rve::strain_per_step(const Material& material, const RveOptions& options) const {
+    return rate_limit(packing(), material, options) * options.time_step;
+}
+
 Mat2 Rve::stress() const { return turned(packing().stress, angle_); }
 
 double Rve::porosity() const {

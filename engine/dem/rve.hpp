@@ -17,6 +17,8 @@ enum class RveStatus : std::uint8_t {
     diverged,       // not finite, or the cell became too thin to be periodic: state left as it was
 };
 
+inline bool failed(RveStatus s) { return s == RveStatus::bad_increment || s == RveStatus::diverged; }
+
 struct RveReport {
     RveStatus status = RveStatus::ok;
     int dem_steps = 0;
@@ -39,6 +41,9 @@ class Rve {
     // Drives the packing through the increment F_inc (lab frame, det > 0). After a report other than `ok` or
     // `floating` the state is unchanged and `stress()` still that of before.
     RveReport update(const Mat2& F_inc, const Material& material, const RveOptions& options, Workspace& work);
+
+    // Strain (Hencky norm) that an update covers with one DEM step.
+    double strain_per_step(const Material& material, const RveOptions& options) const;
 
     // Cauchy stress [Pa], compression positive, lab frame; not symmetrised.
     Mat2 stress() const;

@@ -38,6 +38,7 @@ struct GroundState {
     std::unique_ptr<stress::Law> law;
     std::vector<std::int32_t> all_points;  // 0 .. N-1, the law's batch
     mpm::Status status;
+    double d_over_B = 0;     // of the plate, before this step
     double stress_work = 0;  // accumulated sum of V sigma : d(eps), mid-step [J/m]
     double work_before = 0;  // this step's half, with the old stress
 

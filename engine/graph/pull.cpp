@@ -22,6 +22,7 @@ Pull::Pull(std::unique_ptr<GroundState> state, const PullPlan& plan)
 void Pull::step() {
     const double dt = state_->settings.dt, rate = pull_rate(plan_, time_ + 0.5 * dt);
     state_->plate.velocity = rate * plan_.direction;
+    state_->d_over_B = d_over_B();
     graph_.run();
     time_ += dt;
     travelled_ += dt * rate;

@@ -17,12 +17,6 @@ double norm(const Stress& s) { return std::sqrt(s.xx * s.xx + s.yy * s.yy + 2 * 
 
 void add(Stress& s, const Stress& d) { s.xx += d.xx, s.yy += d.yy, s.xy += d.xy; }
 
-Stress elastic_change(const PlaneModuli& m, const Mat2& F_inc) {
-    const double xx = F_inc(0, 0) - 1, yy = F_inc(1, 1) - 1, xy = 0.5 * (F_inc(0, 1) + F_inc(1, 0));
-    const double mean = m.bulk * (xx + yy), half = m.shear * (xx - yy);
-    return {mean + half, mean - half, 2 * m.shear * xy};
-}
-
 // Turns with the point by the small angle w (Jaumann); exact rotation comes with the next DEM update.
 void turn(Stress& s, double w) {
     const double xy = s.xy, difference = s.xx - s.yy;

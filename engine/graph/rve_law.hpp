@@ -6,15 +6,10 @@
 
 #include "dem/observables.hpp"
 #include "dem/rve.hpp"
+#include "graph/plane_moduli.hpp"
 #include "stress/law.hpp"
 
 namespace sandgraph::graph {
-
-// Isotropic small-strain stiffness of a packing in the plane [Pa]: s = K tr(e) I + 2 G dev(e).
-struct PlaneModuli {
-    double bulk = 0, shear = 0;
-    double p_wave() const { return bulk + shear; }
-};
 
 // The packing that all points of one depth row start from.
 struct RowPacking {

@@ -1,6 +1,7 @@
 #include "graph/step_phases.hpp"
 
 #include "graph/rve_law.hpp"
+#include "graph/screening_law.hpp"
 #include "mpm/audit.hpp"
 #include "mpm/grid_update.hpp"
 #include "mpm/points_to_grid.hpp"
@@ -36,7 +37,22 @@ void gather_points(GroundState& s) {
 
 void account_work(GroundState& s) { s.stress_work += 0.5 * (s.work_before + mpm::stress_work(s.points)); }
 
+Surroundings surroundings(const GroundState& s) {
+    return {s.points.x, s.points.y, s.points.volume, s.grid.shape.cell, s.d_over_B};
+}
+
+std::vector<Phase> screening_phases(GroundState& s, ScreeningLaw& law) {
+    return {{"predict", {"increments"}, {"predicted"}, [&s, &law] { law.predict(s.batch()); }},
+            {"route", {"predicted"}, {"due"}, [&s, &law] { law.route(s.batch()); }},
+            {"surrogate", {"due"}, {"answers"}, [&s, &law] { law.ask(s.batch()); }},
+            {"grains", {"due"}, {"driven"}, [&s, &law] { law.drive(s.batch()); }},
+            {"hand-over", {"answers", "driven"}, {"stress"}, [&s, &law] {
+                 law.hand_over(s.batch(), surroundings(s));
+             }}};
+}
+
 std::vector<Phase> stress_phases(GroundState& s) {
+    if (auto* law = dynamic_cast<ScreeningLaw*>(s.law.get())) return screening_phases(s, *law);
     if (auto* rve = dynamic_cast<RveLaw*>(s.law.get()))
         return {{"predict", {"increments"}, {"predicted"}, [&s, rve] { rve->predict(s.batch()); }},
                 {"route", {"predicted"}, {"due"}, [&s, rve] { rve->route(s.batch()); }},

@@ -1,0 +1,62 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/tensor.hpp"
+
+namespace sandgraph::graph {
+
+// Why a point was handed from the surrogate to its grains.
+enum class Reason : std::uint8_t {
+    none,
+    strain,
+    stress_ratio,
+    tension,
+    distance,
+    spread,
+    second_order_work,
+    acoustic_tensor,
+    failed_answer,  // not finite, or absurd
+    neighbour,      // of a point that was handed over
+};
+inline constexpr std::size_t reason_count = 10;
+inline constexpr std::array<const char*, reason_count> reason_names = {
+    "none",   "strain",           "stress ratio",    "tension",       "distance",
+    "spread", "second-order work", "acoustic tensor", "failed answer", "neighbour"};
+
+// Where a surrogate must not be trusted. A point is handed over where a measure passes its threshold.
+struct GateSettings {
+    bool active = true;         // false: only failed answers are handed over
+    double strain = 0.005;      // deviatoric strain since the start, |ln l1 - ln l2|
+    double stress_ratio = 1;    // q/p, as a share of the packing's peak sin(phi)
+    double tension = 100;       // p below it [Pa]
+    double distance = 0.25;     // of a feature outside the trained range, in widths of that range
+    double spread = 0.1;        // of the ensemble, share of p
+    double work = -0.1;         // second-order work below it, share of the elastic one
+    double acoustic = 0;        // det of the acoustic tensor below it, share of the elastic one
+    double acoustic_from = 0.9;  // q/p from which the acoustic tensor is looked at, share of sin(phi)
+    double low = 0.5;           // share of a threshold from which the packing is made ready
+};
+
+// What the gate looks at after an answer.
+struct GateView {
+    Mat2 F = Mat2::Identity();  // since the start
+    Stress stress;              // answered [Pa], tension positive
+    double strength = 0;        // sin(phi) at the peak; 0: unknown
+    double spread = 0, distance = 0;
+    double work = 1;      // second-order work of the last increment, share of the elastic one
+    double acoustic = 1;  // least determinant of the acoustic tensor, share of the elastic one
+};
+
+// How near to its threshold the worst measure is (1: at it), and which that is.
+struct Verdict {
+    double level = 0;
+    Reason reason = Reason::none;
+};
+Verdict judge(const GateView& view, const GateSettings& settings);
+
+// |ln l1 - ln l2| of the principal stretches of F.
+double deviatoric_strain(const Mat2& F);
+
+}  // namespace sandgraph::graph

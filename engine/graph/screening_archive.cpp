@@ -1,0 +1,57 @@
+#include "base/byte_stream.hpp"
+#include "graph/screening_law.hpp"
+
+namespace sandgraph::graph {
+namespace {
+
+void put(ByteWriter& out, const std::vector<dem::Rve>& rves) {
+    for (const dem::Rve& r : rves) r.save(out);
+}
+void take(ByteReader& in, std::vector<dem::Rve>& rves) {
+    for (dem::Rve& r : rves) r.load(in);
+}
+
+}  // namespace
+
+// Sample and initial packings come from the setup; the scene's hash tells that it is the same.
+void ScreeningLaw::archive(Archive& a) {
+    std::vector<std::uint8_t> bytes;
+    if (!a.reading()) {
+        ByteWriter out(bytes);
+        save(out);
+    }
+    a.field("screening", bytes);
+    if (!a.reading()) return;
+    ByteReader in(bytes);
+    load(in);
+}
+
+void ScreeningLaw::save(ByteWriter& out) const {
+    visits_.save(out);
+    out.put(mode_), out.put(reason_), out.put(states_), out.put(blend_), out.put(fade_left_);
+    for (std::size_t p = 0; p < size(); ++p) {
+        out.put(std::span<const double>(F_[p].data(), 4));
+        paths_[p].save(out);
+    }
+    put(out, rves_), put(out, audit_rves_);
+    out.put(audit_errors_), out.put(fading_), out.put(static_cast<std::uint64_t>(dem_points_));
+    out.put(next_audit_), out.put(audits_), out.put(switches_);
+    out.put(counters_), out.put(screening_);
+}
+
+void ScreeningLaw::load(ByteReader& in) {
+    visits_.load(in);
+    in.take(mode_), in.take(reason_), in.take(states_), in.take(blend_), in.take(fade_left_);
+    for (std::size_t p = 0; p < size(); ++p) {
+        in.take(std::span<double>(F_[p].data(), 4));
+        paths_[p].load(in);
+    }
+    take(in, rves_), take(in, audit_rves_);
+    std::uint64_t points = 0;
+    in.take(audit_errors_), in.take(fading_), in.take(points);
+    dem_points_ = points;
+    in.take(next_audit_), in.take(audits_), in.take(switches_);
+    in.take(counters_), in.take(screening_);
+}
+
+}  // namespace sandgraph::graph

@@ -1,0 +1,59 @@
+#include "graph/visits.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "graph/stress_arithmetic.hpp"
+
+namespace sandgraph::graph {
+namespace {
+
+// Step-size control as for an ODE: the prediction's error grows about with the square of the change.
+double next_allowance(double change, double error, const VisitSettings& settings) {
+    const double factor = std::clamp(0.9 * std::sqrt(settings.tolerance / std::max(error, 1e-12)), 0.25, 2.0);
+    return std::clamp(change * factor, 0.5 * settings.tolerance, settings.change_max);
+}
+
+}  // namespace
+
+double reference_pressure(const Stress& s, double floor) { return std::max(mean_stress(s), floor); }
+
+Visits::Visits(std::size_t points)
+    : collected_(points, Mat2::Identity()),
+      change_(points),
+      allowance_(points, 0),
+      waited_(points, 0),
+      due_(points, 0) {}
+
+void Visits::predict(std::int32_t point, const PlaneModuli& moduli, const Mat2& F_inc, bool floating,
+                     const VisitSettings& settings, Stress& s) {
+    const auto p = static_cast<std::size_t>(point);
+    const Stress d = elastic_change(moduli, F_inc);
+    collected_[p] = F_inc * collected_[p];
+    add(change_[p], d);
+    if (!floating) turn(s, F_inc), add(s, d);
+    const double allowance = allowance_[p] > 0 ? allowance_[p] : settings.tolerance;
+    // Not `change >= allowed`: a NaN must reach the law, which refuses it by name.
+    due_[p] = !(norm(change_[p]) < allowance * reference_pressure(s, settings.pressure_floor));
+    if (!due_[p]) waited_[p] = 1;
+}
+
+bool Visits::answered(std::int32_t point, double reference, double error, const VisitSettings& settings) {
+    const auto p = static_cast<std::size_t>(point);
+    allowance_[p] = next_allowance(norm(change_[p]) / reference, error, settings);
+    collected_[p].setIdentity();
+    change_[p] = {};
+    return std::exchange(waited_[p], std::uint8_t{0}) != 0;
+}
+
+void Visits::save(ByteWriter& out) const {
+    out.put(change_), out.put(allowance_), out.put(waited_);
+    for (const Mat2& F : collected_) out.put(std::span<const double>(F.data(), 4));
+}
+
+void Visits::load(ByteReader& in) {
+    in.take(change_), in.take(allowance_), in.take(waited_);
+    for (Mat2& F : collected_) in.take(std::span<double>(F.data(), 4));
+}
+
+}  // namespace sandgraph::graph

@@ -1,0 +1,50 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "base/byte_stream.hpp"
+#include "graph/plane_moduli.hpp"
+
+namespace sandgraph::graph {
+
+// How true the stress between two answers of a point's law shall be.
+struct VisitSettings {
+    double tolerance = 0.005;      // error of the predicted stress aimed at, share of p
+    double change_max = 0.05;      // largest predicted stress change between two answers, share of p
+    double pressure_floor = 1000;  // p below which shares are of this [Pa]
+};
+
+// A law is asked for a point's stress only now and then: between two answers the stress follows a stiffness.
+// How far it may go before the next one is each point's own allowance, which grows while predictions come
+// true and shrinks where they do not, so that the error stays near the tolerance.
+class Visits {
+  public:
+    explicit Visits(std::size_t points);
+
+    // The step's increment: collects it, moves the stress `s` (unless the point floats), and notes whether
+    // the law is due.
+    void predict(std::int32_t point, const PlaneModuli& moduli, const Mat2& F_inc, bool floating,
+                 const VisitSettings& settings, Stress& s);
+    std::size_t size() const { return collected_.size(); }
+    bool due(std::int32_t point) const { return due_[static_cast<std::size_t>(point)]; }
+    const Mat2& collected(std::size_t point) const { return collected_[point]; }  // since the last answer
+    std::span<const Mat2> collected() const { return collected_; }                // by point
+    // Of the predicted stress since the last answer, without rotation [Pa].
+    const Stress& change(std::int32_t point) const { return change_[static_cast<std::size_t>(point)]; }
+    // The law has answered with a stress of mean `reference` (at least the floor) [Pa]; `error`: of the
+    // prediction, share of it. Returns whether the prediction had been used by a step before.
+    bool answered(std::int32_t point, double reference, double error, const VisitSettings& settings);
+
+    void save(ByteWriter& out) const;
+    void load(ByteReader& in);
+
+  private:
+    std::vector<Mat2> collected_;
+    std::vector<Stress> change_;
+    std::vector<double> allowance_;           // share of p; 0: the law's tolerance
+    std::vector<std::uint8_t> waited_, due_;  // waited: the last step's stress was a prediction
+};
+
+double reference_pressure(const Stress& s, double floor);  // max(p, floor) [Pa]
+
+}  // namespace sandgraph::graph
