@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/build_screening.hpp"
 #include "app/rve_options.hpp"
 #include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
@@ -61,6 +62,7 @@ std::unique_ptr<stress::Law> law_of(const scene::Scene& scene, const PreparedGro
                                  points.row};
         setup.update_tolerance = g.rve.update_tolerance;
         setup.update_change_max = g.rve.update_change_max;
+        if (scene.mode == scene::Mode::screening) return screening_law(scene, ground, std::move(setup));
         return std::make_unique<graph::RveLaw>(std::move(setup));
     }
     std::vector<Stress> initial;

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <thread>
 
+#include "app/build_screening.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/run_pictures.hpp"
@@ -15,6 +16,7 @@
 #include "io/checkpoint.hpp"
 #include "io/xdmf.hpp"
 #include "scene/read_scene.hpp"
+#include "surrogate/load_surrogate.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -32,10 +34,13 @@ struct Arguments {
 scene::Scene scene_of(const Arguments& a) {
     std::vector<std::string> overrides = a.set;
     if (!a.mode.empty()) overrides.push_back("mode=" + a.mode);
-    const scene::Scene scene = scene::read_scene(a.scene, overrides);
-    if (scene.mode == scene::Mode::screening)
-        throw InputError({a.scene, 0}, "mode = \"screening\"", "no trained surrogate is part of this version",
-                         "run with mode = \"full\"");
+    scene::Scene scene = scene::read_scene(a.scene, overrides);
+    if (scene.mode == scene::Mode::screening) {
+        if (scene.ground.law != scene::Law::rve)
+            throw InputError({a.scene, 0}, "mode = \"screening\" of a closed-form law",
+                             "a surrogate stands in for packings of grains", "write ground.law = \"rve\"");
+        scene.screening.surrogate.model = model_file(scene).string();
+    }
     if (!scene.anchor.present)
         throw InputError({a.scene, 0}, "anchor.present = false", "`run` pulls an anchor",
                          "give the scene an [anchor]");
@@ -71,8 +76,14 @@ void require_writable(const fs::path& folder) {
 
 PreparedGround prepare(const scene::Scene& scene) {
     StageProgress progress;
-    return prepare_ground(scene,
-                          [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    // A surrogate that cannot be used is refused before the packings are made.
+    std::shared_ptr<const stress::Surrogate> surrogate;
+    if (scene.mode == scene::Mode::screening)
+        surrogate = surrogate::load_surrogate(scene.screening.surrogate.model);
+    PreparedGround ground = prepare_ground(
+        scene, [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    ground.surrogate = std::move(surrogate);
+    return ground;
 }
 
 // What is left to do when the plate has gone all the way.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "graph/rve_law.hpp"
+#include "app/grain_use.hpp"
 #include "mpm/audit.hpp"
 
 namespace sandgraph::app {
@@ -35,10 +35,9 @@ io::LoadRow LoadRecorder::row(const graph::Pull& pull, double load) const {
     out.kinetic_energy = factor_ * mpm::kinetic_energy(s.points, s.settings.mass_scaling);
     out.strain_work = factor_ * s.stress_work;
     out.plate_work = plate_work_;
-    if (const auto* rve = dynamic_cast<const graph::RveLaw*>(s.law.get())) {
-        out.rve_active = static_cast<double>(rve->owning());
-        out.dem_steps = static_cast<double>(rve->counters().dem_steps);
-    }
+    const GrainUse grains = grain_use(*s.law);
+    out.rve_active = static_cast<double>(grains.active);
+    out.dem_steps = static_cast<double>(grains.dem_steps);
     return out;
 }
 

@@ -1,6 +1,6 @@
 #include "app/make_frame.hpp"
 
-#include "graph/rve_law.hpp"
+#include "graph/screening_law.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -25,6 +25,14 @@ void add_rve_fields(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
                                  [&](std::size_t p) { return One{double(law.rve(p).owns_packing())}; }));
 }
 
+void add_screening_fields(const graph::ScreeningLaw& law, std::size_t n, io::Frame& frame) {
+    frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) { return One{law.porosity(p)}; }));
+    frame.fields.push_back(
+        field("mode", "-", 1, n, [&](std::size_t p) { return One{static_cast<double>(law.mode(p))}; }));
+    frame.fields.push_back(
+        field("audited error", "-", 1, n, [&](std::size_t p) { return One{law.audited_error(p)}; }));
+}
+
 }  // namespace
 
 io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, double initial_porosity) {
@@ -46,6 +54,8 @@ io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, do
     frame.fields.push_back(field("q", "Pa", 1, n, [&](std::size_t p) { return One{deviator(g.stress[p])}; }));
     if (const auto* rve = dynamic_cast<const graph::RveLaw*>(s.law.get()))
         add_rve_fields(*rve, n, frame);
+    else if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(s.law.get()))
+        add_screening_fields(*screening, n, frame);
     else
         frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) {
             return One{1 - (1 - initial_porosity) * g.volume0[p] / g.volume[p]};

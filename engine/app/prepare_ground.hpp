@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "dem/prepare.hpp"
@@ -14,6 +15,7 @@ struct PreparedGround {
     double friction_angle = 0;  // peak, measured on the packing in use (or that of the closed-form law) [rad]
     std::vector<double> row_pressure;           // in-situ mean stress of each depth row's centre, K0 = 1 [Pa]
     std::vector<graph::RowPacking> rows;        // one packing a depth row; empty for closed-form laws
+    std::shared_ptr<const stress::Surrogate> surrogate;  // of a screening run, else null
     std::vector<stress::PackingTraits> traits;  // of each row's packing; empty for closed-form laws
 };
 

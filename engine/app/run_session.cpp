@@ -4,12 +4,14 @@
 
 #include <ctime>
 
+#include "app/build_screening.hpp"
+#include "app/grain_use.hpp"
 #include "app/interrupt.hpp"
 #include "app/make_frame.hpp"
 #include "app/progress.hpp"
 #include "app/revision.hpp"
 #include "base/hash.hpp"
-#include "graph/rve_law.hpp"
+#include "graph/screening_law.hpp"
 #include "io/checkpoint.hpp"
 #include "scene/scene_hash.hpp"
 
@@ -78,11 +80,11 @@ RunEnd RunSession::run() {
     while (pull_->d_over_B() < options_.until - kReached && !interrupted()) {
         pull_->step();
         after_step();
-        const auto* rve = dynamic_cast<const graph::RveLaw*>(pull_->state().law.get());
         progress.update({pull_->steps(), pull_->d_over_B(), options_.until, last_load_,
-                         rve ? static_cast<std::int64_t>(rve->owning()) : 0});
+                         grain_use(*pull_->state().law).active});
     }
     const bool all = pull_->d_over_B() >= scene_.anchor.pull_to - kReached;
+    if (all) audit_at_end();
     all ? wind_up() : checkpoint();
     return pull_->d_over_B() < options_.until - kReached ? RunEnd::interrupted : RunEnd::finished;
 }
@@ -104,8 +106,14 @@ void RunSession::record_frame() {
     writer_.post([this, frame] { file_.append(*frame); });
 }
 
+void RunSession::audit_at_end() {
+    if (auto* law = dynamic_cast<graph::ScreeningLaw*>(pull_->state().law.get()))
+        law->audit_now(pull_->d_over_B());
+}
+
 void RunSession::note_timing() {
     writer_.drain();
+    file_.set_screening(screening_record(*pull_->state().law));
     for (const graph::PhaseTime& t : pull_->graph().times()) file_.set_timing(t.name, t.seconds);
 }
 

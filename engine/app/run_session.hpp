@@ -39,6 +39,7 @@ class RunSession {
     void checkpoint();
     void wind_up();
     void note_timing();
+    void audit_at_end();
     void archive(Archive& a);
     void resume();
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/revision.hpp"
+#include "app/screening_summary.hpp"
 #include "base/hash.hpp"
 #include "graph/rve_law.hpp"
 #include "report/analytic.hpp"
@@ -41,6 +42,8 @@ void add_loads(const RunSession& session, const scene::Scene& scene, const Prepa
 }
 
 void add_grains(const graph::Pull& pull, io::Summary& s) {
+    if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(pull.state().law.get()))
+        return add_screening(*screening, s);
     const auto* rve = dynamic_cast<const graph::RveLaw*>(pull.state().law.get());
     if (!rve) return;
     const graph::RveCounters& c = rve->counters();
@@ -96,6 +99,7 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene, const 
     }
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");
+    if (scene.mode == scene::Mode::screening) out += screening_text(s);
     if (const double failures = extra(s, "rve_failures"); failures > 0)
         out += fmt::format(
             "warning: {:.0f} DEM updates failed and kept their last stress; do not trust this run\n",

@@ -108,6 +108,11 @@ VisitSettings ScreeningLaw::grain_visits() const {
     return {g.update_tolerance, g.update_change_max, g.options.pressure_floor};
 }
 
+std::int64_t ScreeningLaw::dem_steps() const {
+    const ScreeningCounters& s = screening_;
+    return counters_.dem_steps + s.replay_steps + s.shadow_steps + s.audit_steps;
+}
+
 double ScreeningLaw::porosity(std::size_t point) const {
     const double J = visits_.collected(point).determinant();
     if (by_grains(point)) return 1 - (1 - rves_[point].porosity()) / J;

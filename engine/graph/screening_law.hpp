@@ -31,6 +31,7 @@ class ScreeningLaw : public stress::Law {
     const std::vector<Switch>& switches() const { return switches_; }
     const RveCounters& counters() const { return counters_; }  // of the packings that answer
     const ScreeningCounters& screening() const { return screening_; }
+    std::int64_t dem_steps() const;  // of all packings, shadows and audits included
     PointMode mode(std::size_t point) const { return mode_[point]; }
     bool by_grains(std::size_t point) const { return mode_[point] >= PointMode::blending; }
     std::size_t grain_points() const { return dem_points_; }

@@ -41,7 +41,7 @@ RunFile::RunFile(fs::path folder, RunRecord record)
 RunFile RunFile::create(const fs::path& folder, const RunInfo& info) {
     fs::create_directories(folder);
     remove_stale(folder);
-    RunFile run(folder, {info, {}, {}, {}, 0});
+    RunFile run(folder, {info, {}, {}, {}, 0, {}});
     run.commit();
     run.rewrite_csv();
     return run;

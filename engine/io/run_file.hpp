@@ -26,6 +26,7 @@ class RunFile {
     void append(const Frame& frame);  // commits
     void set_timing(const std::string& phase, double seconds) { record_.timing[phase] = seconds; }
     void set_counter(const std::string& name, double value) { record_.counters[name] = value; }
+    void set_screening(ScreeningRecord screening) { record_.screening = std::move(screening); }
     void commit();
 
     // Writing a checkpoint: commits and notes the lengths of load series and frames. Reading: cuts both back

@@ -73,6 +73,7 @@ void write_run_groups(h5::Group root, const RunRecord& record) {
     write_load(root.create("load"), record.load);
     write_scalars(root.create("timing"), record.timing, "s");
     write_scalars(root.create("rve"), record.counters, "-");
+    write_screening(root, record.screening);
     root.create("frames");
 }
 
@@ -81,7 +82,7 @@ RunRecord read_run(const std::filesystem::path& run_h5) {
     const h5::Group root = file.root();
     require_content(root, "run", schema);
     return {read_info(root.open("scene")), read_load(root.open("load")), read_scalars(root.open("timing")),
-            read_scalars(root.open("rve")), root.open("frames").names().size()};
+            read_scalars(root.open("rve")), root.open("frames").names().size(), read_screening(root)};
 }
 
 Frame read_run_frame(const std::filesystem::path& run_h5, std::size_t index) {

@@ -6,6 +6,7 @@
 
 #include "io/frame.hpp"
 #include "io/h5_group.hpp"
+#include "io/screening_record.hpp"
 
 namespace sandgraph::io {
 
@@ -22,9 +23,10 @@ struct RunRecord {
     std::map<std::string, double> timing;    // phase -> wall time [s]
     std::map<std::string, double> counters;  // of the RVEs: name -> count
     std::size_t frames = 0;
+    ScreeningRecord screening;
 };
 
-// The groups /scene, /load, /timing, /rve and an empty /frames of run.h5.
+// The groups /scene, /load, /timing, /rve, those of a screening run and an empty /frames of run.h5.
 void write_run_groups(h5::Group root, const RunRecord& record);
 
 // InputError when run.h5 is missing, damaged or of another schema.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem/material.hpp"
+#include "scene/screening_spec.hpp"
 
 namespace sandgraph::scene {
 
@@ -99,6 +100,7 @@ struct Scene {
     Anchor anchor;
     Ground ground;
     Mpm mpm;
+    Screening screening;
     Output output;
 };
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "scene/grain_keys.hpp"
+#include "scene/screening_keys.hpp"
 
 namespace sandgraph::scene {
 namespace {
@@ -95,6 +96,7 @@ KeyTable scene_keys(Scene& scene) {
     add_stepping_keys(keys, scene.ground.rve);
     add_continuum_keys(keys, scene.ground.continuum);
     add_mpm_keys(keys, scene.mpm);
+    add_screening_keys(keys, scene.screening, scene.mode == Mode::screening);
     add_output_keys(keys, scene.output);
     return keys;
 }

@@ -1,0 +1,15 @@
+#include "app/grain_use.hpp"
+
+#include "graph/screening_law.hpp"
+
+namespace sandgraph::app {
+
+GrainUse grain_use(const stress::Law& law) {
+    if (const auto* full = dynamic_cast<const graph::RveLaw*>(&law))
+        return {static_cast<std::int64_t>(full->owning()), full->counters().dem_steps};
+    if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(&law))
+        return {static_cast<std::int64_t>(screening->grain_points()), screening->dem_steps()};
+    return {};
+}
+
+}  // namespace sandgraph::app

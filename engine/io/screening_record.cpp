@@ -1,0 +1,77 @@
+#include "io/screening_record.hpp"
+
+#include <fmt/format.h>
+
+#include <fmt/ranges.h>
+
+#include <sstream>
+
+#include "io/h5_attribute.hpp"
+#include "io/h5_dataset.hpp"
+
+namespace sandgraph::io {
+namespace {
+
+template <class T, class Row>
+void write_column(h5::Group& group, const char* name, const std::vector<Row>& rows, T Row::*member,
+                  const char* unit) {
+    std::vector<T> column;
+    for (const Row& row : rows) column.push_back(row.*member);
+    h5::write(group, name, std::span<const T>(column), {column.size()}, unit, h5::Storage::growing);
+}
+
+template <class T, class Row>
+void read_column(const h5::Group& group, const char* name, std::vector<Row>& rows, T Row::*member) {
+    const auto column = h5::read<T>(group, name);
+    if (rows.empty()) rows.resize(column.size());
+    if (column.size() != rows.size())
+        h5::refuse(group, group.path_of(name) + " differs in length", "all columns must agree");
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].*member = column[k];
+}
+
+// One list of columns serves both directions.
+template <class Visit>
+void visit_switches(Visit&& visit) {
+    visit("step", &SwitchRow::step, ""), visit("d_over_B", &SwitchRow::d_over_B, "-");
+    visit("point", &SwitchRow::point, ""), visit("reason", &SwitchRow::reason, "");
+    visit("jump", &SwitchRow::jump, "share of p");
+}
+
+template <class Visit>
+void visit_audits(Visit&& visit) {
+    visit("d_over_B", &AuditPoint::d_over_B, "-"), visit("points", &AuditPoint::points, "");
+    visit("population", &AuditPoint::population, "");
+    visit("stress_error_mean", &AuditPoint::mean, "share of p");
+    visit("ci95", &AuditPoint::ci95, "share of p");
+}
+
+}  // namespace
+
+void write_screening(h5::Group& root, const ScreeningRecord& record) {
+    if (record.empty()) return;
+    h5::Group switches = root.create("switches"), audit = root.create("audit");
+    h5::set_attribute(switches, ".", "reasons", fmt::format("{}", fmt::join(record.reasons, "\n")));
+    visit_switches([&](const char* name, auto member, const char* unit) {
+        write_column(switches, name, record.switches, member, unit);
+    });
+    visit_audits([&](const char* name, auto member, const char* unit) {
+        write_column(audit, name, record.audits, member, unit);
+    });
+}
+
+ScreeningRecord read_screening(const h5::Group& root) {
+    ScreeningRecord record;
+    if (!root.has("switches")) return record;
+    const h5::Group switches = root.open("switches"), audit = root.open("audit");
+    std::istringstream reasons(h5::get_text(switches, ".", "reasons"));
+    for (std::string line; std::getline(reasons, line);) record.reasons.push_back(line);
+    visit_switches([&](const char* name, auto member, const char*) {
+        read_column(switches, name, record.switches, member);
+    });
+    visit_audits([&](const char* name, auto member, const char*) {
+        read_column(audit, name, record.audits, member);
+    });
+    return record;
+}
+
+}  // namespace sandgraph::io
