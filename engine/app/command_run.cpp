@@ -80,8 +80,8 @@ PreparedGround prepare(const scene::Scene& scene) {
     std::shared_ptr<const stress::Surrogate> surrogate;
     if (scene.mode == scene::Mode::screening)
         surrogate = surrogate::load_surrogate(scene.screening.surrogate.model);
-    PreparedGround ground = prepare_ground(
-        scene, [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    PreparedGround ground =
+        prepare_ground(scene, [&progress](std::string_view stage, double f) { progress.update(stage, f); });
     ground.surrogate = std::move(surrogate);
     return ground;
 }

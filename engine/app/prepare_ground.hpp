@@ -13,10 +13,10 @@ namespace sandgraph::app {
 struct PreparedGround {
     double density = 0;         // in situ, rho_grain (1 - n) [kg/m3]
     double friction_angle = 0;  // peak, measured on the packing in use (or that of the closed-form law) [rad]
-    std::vector<double> row_pressure;           // in-situ mean stress of each depth row's centre, K0 = 1 [Pa]
-    std::vector<graph::RowPacking> rows;        // one packing a depth row; empty for closed-form laws
+    std::vector<double> row_pressure;     // in-situ mean stress of each depth row's centre, K0 = 1 [Pa]
+    std::vector<graph::RowPacking> rows;  // one packing a depth row; empty for closed-form laws
     std::shared_ptr<const stress::Surrogate> surrogate;  // of a screening run, else null
-    std::vector<stress::PackingTraits> traits;  // of each row's packing; empty for closed-form laws
+    std::vector<stress::PackingTraits> traits;           // of each row's packing; empty for closed-form laws
 };
 
 // Prepares (or takes from the cache) one packing per depth row at its in-situ stress, and measures the

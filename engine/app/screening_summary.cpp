@@ -67,8 +67,9 @@ void add_screening(const graph::ScreeningLaw& law, io::Summary& s) {
 }
 
 std::string screening_text(const io::Summary& s) {
-    std::string out = fmt::format("grains answer for {:.1f} % of the points at the end, {:.1f} % on average\n",
-                                  100 * s.dem_fraction_final, 100 * s.dem_fraction_mean);
+    std::string out =
+        fmt::format("grains answer for {:.1f} % of the points at the end, {:.1f} % on average\n",
+                    100 * s.dem_fraction_final, 100 * s.dem_fraction_mean);
     out += fmt::format("handed over because of: {}\n", reasons(s));
     if (extra(s, "jump_p95") >= 0)
         out += fmt::format("stress jump at hand-over: {:.1f} % of p (median), {:.1f} % (95th percentile)\n",
@@ -77,7 +78,8 @@ std::string screening_text(const io::Summary& s) {
         out += fmt::format("audit: the surrogate's stress is off by {:.1f} +- {:.1f} % of p ({} points)\n",
                            100 * s.audit.stress_error_mean, 100 * s.audit.ci95, s.audit.points);
     if (const double failed = extra(s, "failed_answers"); failed > 0)
-        out += fmt::format("warning: the surrogate failed at {:.0f} points; their grains took over\n", failed);
+        out +=
+            fmt::format("warning: the surrogate failed at {:.0f} points; their grains took over\n", failed);
     return out;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kGateGrain = 256;  // answers a task
 
-constexpr double kAuditFloor = 1000;      // [Pa]
+constexpr double kAuditFloor = 1000;  // [Pa]
 
 // An answer is absurd when it moves by more than this many times the elastic change and half of p besides.
 constexpr double kAbsurdChange = 20, kAbsurdShare = 0.5;

@@ -65,7 +65,8 @@ void ScreeningLaw::replace_failed() {
     for (std::size_t slot = 0; slot < asked_.size(); ++slot)
         if (verdicts_[slot].reason == Reason::failed_answer) lost.push_back(asked_[slot]);
     std::vector<dem::RveReport> reports(lost.size());
-    tbb::parallel_for(std::size_t{0}, lost.size(), [&](std::size_t k) { reports[k] = drive_to_end(lost[k]); });
+    tbb::parallel_for(std::size_t{0}, lost.size(),
+                      [&](std::size_t k) { reports[k] = drive_to_end(lost[k]); });
     for (std::size_t k = 0; k < lost.size(); ++k) {
         ++screening_.failed_answers;
         screening_.replay_steps += reports[k].dem_steps;

@@ -102,8 +102,8 @@ class ScreeningLaw : public stress::Law {
     std::vector<stress::SurrogateAnswer> answers_;  // by slot of asked_
     std::vector<Verdict> verdicts_;                 // by slot of asked_
     std::vector<Job> jobs_;
-    std::vector<Outcome> outcomes_;        // by slot of jobs_
-    std::vector<std::uint8_t> caught_up_;  // by point: in this step
+    std::vector<Outcome> outcomes_;                               // by slot of jobs_
+    std::vector<std::uint8_t> caught_up_;                         // by point: in this step
     tbb::enumerable_thread_specific<dem::Workspace> workspaces_;  // scratch, no state
 
     std::vector<std::int32_t> fading_;  // points in mode blending

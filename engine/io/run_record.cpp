@@ -81,8 +81,9 @@ RunRecord read_run(const std::filesystem::path& run_h5) {
     const h5::File file = h5::File::open(run_h5);
     const h5::Group root = file.root();
     require_content(root, "run", schema);
-    return {read_info(root.open("scene")), read_load(root.open("load")), read_scalars(root.open("timing")),
-            read_scalars(root.open("rve")), root.open("frames").names().size(), read_screening(root)};
+    return {read_info(root.open("scene")),      read_load(root.open("load")),
+            read_scalars(root.open("timing")),  read_scalars(root.open("rve")),
+            root.open("frames").names().size(), read_screening(root)};
 }
 
 Frame read_run_frame(const std::filesystem::path& run_h5, std::size_t index) {

@@ -68,9 +68,8 @@ ScreeningRecord read_screening(const h5::Group& root) {
     visit_switches([&](const char* name, auto member, const char*) {
         read_column(switches, name, record.switches, member);
     });
-    visit_audits([&](const char* name, auto member, const char*) {
-        read_column(audit, name, record.audits, member);
-    });
+    visit_audits(
+        [&](const char* name, auto member, const char*) { read_column(audit, name, record.audits, member); });
     return record;
 }
 

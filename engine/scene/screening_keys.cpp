@@ -8,11 +8,13 @@ void add_surrogate_keys(KeyTable& keys, SurrogateChoice& s, bool in_use) {
     // The hash takes the file's contents, not its name.
     surrogate.input_file("model", s.model, "trained weights (.h5); default: the shipped table1.surrogate.h5")
         .in_hash = false;
-    surrogate.real("update_tolerance", s.update_tolerance, "", at_least(0),
-                   "error aimed at of the stress predicted between answers, share of p")
+    surrogate
+        .real("update_tolerance", s.update_tolerance, "", at_least(0),
+              "error aimed at of the stress predicted between answers, share of p")
         .in_hash = in_use;
-    surrogate.real("update_change_max", s.update_change_max, "", at_least(0),
-                   "largest predicted stress change between answers, share of p")
+    surrogate
+        .real("update_change_max", s.update_change_max, "", at_least(0),
+              "largest predicted stress change between answers, share of p")
         .in_hash = in_use;
 }
 
@@ -50,7 +52,10 @@ void add_gate_keys(KeyTable& keys, Gate& g, bool in_use) {
 void add_audit_keys(KeyTable& keys, Audit& a, bool in_use) {
     auto audit = keys.section("audit");
     // No audit changes what the ground does, but the checkpoint must hold the same packings.
-    audit.real("share", a.share, "", within(0, 1), "of the points, that carry a second packing to measure the error").in_hash = in_use;
+    audit
+        .real("share", a.share, "", within(0, 1),
+              "of the points, that carry a second packing to measure the error")
+        .in_hash = in_use;
     audit.integer("seed", a.seed, 0, "of the draw").in_hash = in_use;
     audit.real("every", a.every, "", above(0), "d/B between two audits").in_hash = in_use;
 }
