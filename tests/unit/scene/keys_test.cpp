@@ -86,8 +86,8 @@ TEST(SceneKeys, HelpNamesEveryKeyAndReadsBackAsDefaults) {
     EXPECT_NE(help.find("embedment_ratio = 3"), std::string::npos);
     EXPECT_NE(help.find("pull_rate = \"0.05 m/s\""), std::string::npos);
     std::string text = help;
-    const auto packing = text.find("packing = ");  // the default, no file, cannot be given
-    text.insert(packing, "# ");
+    for (const char* file : {"packing = ", "model = "})  // the default, no file, cannot be given
+        text.insert(text.find(file), "# ");
     const auto porosity = text.find("target_porosity = ");  // belongs to density = "custom"
     text.insert(porosity, "# ");
     EXPECT_EQ(parse_scene(text, "s.toml").anchor.pull_rate, Anchor{}.pull_rate);
