@@ -17,6 +17,7 @@ void add_commands(CLI::App& app, int& exit_code) {
     app.require_subcommand(1);
     add_run_command(app, exit_code);
     add_rve_command(app, exit_code);
+    add_report_command(app, exit_code);
     add_info_command(app, exit_code);
     add_keys_command(app, exit_code);
 }

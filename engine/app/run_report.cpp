@@ -1,0 +1,129 @@
+#include "app/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/run_pictures.hpp"
+#include "base/error.hpp"
+#include "report/html.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+namespace fs = std::filesystem;
+using report::Row;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+bool is_run(const fs::path& folder) {
+    return fs::exists(folder / "run.h5") && fs::exists(folder / "summary.json");
+}
+
+std::string number(double value, int digits) {
+    return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "not known";
+}
+
+std::string share(double value) {
+    return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : "not known";
+}
+
+std::vector<Row> result_rows(const FinishedRun& run) {
+    const io::Summary& s = run.summary;
+    const double formula = pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
+    return {{"result", ""},
+            {"breakout factor N_gamma", number(s.n_gamma, 3)},
+            {pulled_up(run.scene) ? "Meyerhof & Adams (1968)" : "Biarez et al. (1965)", number(formula, 3)},
+            {"friction angle of the packing [deg]", number(run.number("friction_angle_deg"), 3)},
+            {"breakout load Q_u [kN/m]", number(s.peak_load / 1000, 4)},
+            {"at d/B", number(s.peak_d_over_B, 3)},
+            {"late load [kN/m]", number(s.late_load / 1000, 4)},
+            {"kinetic energy / plate work, at most", number(s.kinetic_to_strain_energy_max, 2)}};
+}
+
+std::vector<Row> cost_rows(const FinishedRun& run) {
+    const io::Summary& s = run.summary;
+    std::vector<Row> rows = {{"cost", ""},
+                             {"mode", s.mode},
+                             {"wall time [s]", number(s.wall_s, 4)},
+                             {"threads", fmt::format("{}", s.threads)},
+                             {"material points", fmt::format("{}", s.points)},
+                             {"MPM steps", fmt::format("{}", s.steps)},
+                             {"DEM steps", number(double(s.dem_steps), 3)},
+                             {"RVE updates", number(double(s.rve_updates), 3)}};
+    for (const auto& [phase, seconds] : run.record.timing)
+        rows.push_back({"  " + phase + " [s]", number(seconds, 3)});
+    return rows;
+}
+
+std::vector<Row> screening_rows(const FinishedRun& run) {
+    const io::Summary& s = run.summary;
+    return {{"surrogate", ""},
+            {"surrogate updates", number(double(s.surrogate_updates), 3)},
+            {"points that are grains at the end", share(s.dem_fraction_final)},
+            {"mean over the run", share(s.dem_fraction_mean)},
+            {"audited points", fmt::format("{}", s.audit.points)},
+            {"stress error they show, share of p", share(s.audit.stress_error_mean)},
+            {"95 % interval, +-", share(s.audit.ci95)}};
+}
+
+std::string field_figures(const FinishedRun& run, const fs::path& pictures) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(pictures))
+        if (entry.path().extension() == ".png" && entry.path().filename() != "load.png")
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string html = "<div class=\"grid\">\n";
+    for (const fs::path& file : files) {
+        const std::string stem = file.stem().string(), field = stem.substr(0, stem.rfind('_'));
+        const double d = std::strtod(stem.substr(stem.rfind('_') + 1).c_str(), nullptr) / 1000;
+        if (d == 0) continue;  // nothing has moved
+        html += report::figure(file, fmt::format("{} of {}, d/B = {:.3g}", field, title_of(run.scene), d));
+    }
+    return html + "</div>\n";
+}
+
+}  // namespace
+
+std::vector<FinishedRun> find_runs(const std::vector<std::string>& folders) {
+    std::vector<fs::path> found;
+    for (const std::string& folder : folders) {
+        if (!fs::is_directory(folder))
+            throw InputError({folder, 0}, "no such folder", "a report is made from run folders",
+                             "check the path");
+        if (is_run(folder)) found.emplace_back(folder);
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_directory() && is_run(entry.path())) found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    if (found.empty())
+        throw InputError({folders.front(), 0}, "no finished run",
+                         "a run folder holds run.h5 and summary.json",
+                         "run a scene first: sandgraph run SCENE.toml -o DIR");
+    std::vector<FinishedRun> runs;
+    for (const fs::path& folder : found) runs.push_back(read_finished_run(folder));
+    return runs;
+}
+
+std::string run_chapter(const FinishedRun& run, const fs::path& pictures) {
+    const double phi = run.number("friction_angle_deg"), unit = run.number("unit_load_N_per_m");
+    const std::string told =
+        draw_pictures(pictures, {run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1,
+                                 std::isfinite(phi) ? phi * kDegree : 0});
+    std::string html =
+        fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p class=\"lead\">{0}, scene {2}, revision {3}</p>\n",
+                    report::escaped(run.folder.string()), report::escaped(title_of(run.scene)),
+                    run.summary.scene_hash, run.summary.git);
+    html += "<div class=\"grid\">\n" + report::table(result_rows(run)) + report::table(cost_rows(run));
+    if (run.summary.mode == "screening") html += report::table(screening_rows(run));
+    html += "</div>\n" + report::figure(pictures / "load.png", "Load against displacement");
+    html += "<h3>Fields</h3>\n" + field_figures(run, pictures);
+    if (told.starts_with("no pictures")) html += "<p class=\"missing\">" + report::escaped(told) + "</p>\n";
+    return html +
+           report::details("Scene", "<pre>" + report::escaped(run.record.info.scene_text) + "</pre>\n");
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,27 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sandgraph::report {
+
+// Pieces of a self-contained HTML page: text is escaped, pictures are embedded.
+std::string escaped(std::string_view text);
+std::string base64(std::string_view bytes);
+
+using Row = std::vector<std::string>;
+
+// First row: head. Columns from the second on are aligned right when `numbers`.
+std::string table(const std::vector<Row>& rows, bool numbers = true);
+
+// The PNG as a data URI with a caption; a missing file becomes a line that says so.
+std::string figure(const std::filesystem::path& png, std::string_view caption);
+
+// Closed until the reader opens it.
+std::string details(std::string_view summary, std::string_view inner_html);
+
+// The whole document: style and body, nothing loaded from anywhere.
+std::string page(std::string_view title, std::string_view body);
+
+}  // namespace sandgraph::report

@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include "tests/unit/app/subprocess.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+// A continuum, so that the pull takes a second.
+constexpr const char* kScene = R"(
+title = "Plate & <sand>"
+[domain]
+width = "2 m"
+depth = "3 m"
+cell = "0.25 m"
+[anchor]
+embedment_ratio = 1
+thickness = "0.25 m"
+pull_to = 0.01
+[ground]
+law = "elastic"
+[output]
+frames = [0, 0.01]
+load_every = 0.0005
+)";
+
+TEST(Report, SetsAllRunsOfAFolderSideBySideInOnePage) {
+    const Shell shell("report");
+    shell.write("scene.toml", kScene);
+    ASSERT_EQ(shell.run("run scene.toml -o runs/a").exit_code, 0);
+    ASSERT_EQ(shell.run("run scene.toml -o runs/b --set anchor.embedment_ratio=2").exit_code, 0);
+    const auto outcome = shell.run("report runs -o page");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string html = shell.read("page/index.html");
+    for (const char* text : {"runs/a", "runs/b", "Plate &amp; &lt;sand&gt;", "N_gamma", "embedment_ratio",
+                             "data:image/png;base64,iVBOR"})
+        EXPECT_NE(html.find(text), std::string::npos) << text;
+    EXPECT_EQ(html.find("no picture"), std::string::npos);
+    EXPECT_TRUE(shell.exists("page/pictures/breakout.png"));
+    EXPECT_TRUE(shell.exists("page/pictures/00_a/load.png"));
+}
+
+TEST(Report, RefusesFoldersWithoutARun) {
+    const Shell shell("no_report");
+    for (const char* folder : {".", "nowhere"}) {
+        const auto outcome = shell.run(std::string("report ") + folder + " -o page");
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_FALSE(shell.exists("page"));
+    }
+}
+
+}  // namespace
+}  // namespace sandgraph::app
