@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "graph/screening_law.hpp"
 #include "memory_archive.hpp"
 #include "small_pull.hpp"
 
@@ -10,25 +11,29 @@ namespace {
 
 constexpr int kSteps = 150;
 
-std::string digest_after(int steps, int threads) {
+using MakePull = std::unique_ptr<graph::Pull> (*)();
+
+std::string digest_after(MakePull make, int steps, int threads) {
     tbb::task_arena arena(threads);
-    return arena.execute([steps] {
-        const auto pull = support::small_pull();
+    return arena.execute([make, steps] {
+        const auto pull = make();
         for (int k = 0; k < steps; ++k) pull->step();
         return support::digest(*pull);
     });
 }
 
-TEST(Pull, GivesTheSameBitsAtAnyThreadCount) {
+class Pull : public testing::TestWithParam<MakePull> {};
+
+TEST_P(Pull, GivesTheSameBitsAtAnyThreadCount) {
     const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
-    const std::string one = digest_after(kSteps, 1);
-    EXPECT_EQ(one, digest_after(kSteps, 2));
-    EXPECT_EQ(one, digest_after(kSteps, 4));
-    EXPECT_NE(one, digest_after(kSteps - 1, 1));  // the digest sees what changes
+    const std::string one = digest_after(GetParam(), kSteps, 1);
+    EXPECT_EQ(one, digest_after(GetParam(), kSteps, 2));
+    EXPECT_EQ(one, digest_after(GetParam(), kSteps, 4));
+    EXPECT_NE(one, digest_after(GetParam(), kSteps - 1, 1));  // the digest sees what changes
 }
 
-TEST(Pull, GoesOnBitForBitFromItsArchive) {
-    const auto whole = support::small_pull(), first = support::small_pull(), second = support::small_pull();
+TEST_P(Pull, GoesOnBitForBitFromItsArchive) {
+    const auto whole = GetParam()(), first = GetParam()(), second = GetParam()();
     for (int k = 0; k < kSteps; ++k) whole->step();
     for (int k = 0; k < kSteps / 3; ++k) first->step();
     support::MemoryArchive archive;
@@ -37,6 +42,20 @@ TEST(Pull, GoesOnBitForBitFromItsArchive) {
     second->archive(archive);
     for (int k = kSteps / 3; k < kSteps; ++k) second->step();
     EXPECT_EQ(support::digest(*whole), support::digest(*second));
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Pull, testing::Values(support::small_pull, support::small_screening_pull),
+                         [](const auto& mode) { return mode.index == 0 ? "Full" : "Screening"; });
+
+// Else the tests above would not see the hand-over.
+TEST(SmallScreeningPull, HandsPointsOver) {
+    const auto pull = support::small_screening_pull();
+    for (int k = 0; k < kSteps; ++k) pull->step();
+    const auto& law = dynamic_cast<const graph::ScreeningLaw&>(*pull->state().law);
+    EXPECT_GT(law.grain_points(), 2u);
+    EXPECT_LT(law.grain_points(), law.size());
+    EXPECT_GT(law.screening().replay_steps, 0);
+    EXPECT_GT(law.audits().size(), 1u);
 }
 
 }  // namespace

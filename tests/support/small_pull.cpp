@@ -6,6 +6,8 @@
 
 #include "dem/fast.hpp"
 #include "dem/observe.hpp"
+#include "element_surrogate.hpp"
+#include "graph/screening_law.hpp"
 #include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
 
@@ -42,15 +44,37 @@ const std::vector<graph::RowPacking>& rows() {
     return made;
 }
 
-}  // namespace
+constexpr double kPlateCentre = 0.875;
 
-std::unique_ptr<graph::Pull> small_pull() {
+graph::RveLawSetup grains_of(const mpm::Points& points) { return {{}, {}, rows(), points.row}; }
+
+std::unique_ptr<stress::Law> full_law(const mpm::Points& points) {
+    return std::make_unique<graph::RveLaw>(grains_of(points));
+}
+
+std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
+    graph::ScreeningSetup setup;
+    setup.grains = grains_of(points);
+    setup.surrogate = std::make_shared<ElementSurrogate>();
+    for (const graph::RowPacking& row : rows()) {
+        const double p = mean_stress(tension_positive(row.packing->stress));
+        setup.traits.push_back({p, 0.16, row.moduli.bulk, row.moduli.shear, 3.5, 0, 0, 0.5});
+    }
+    setup.gate.strain = 5e-5;
+    setup.hand_over.blend_steps = 20;
+    setup.audit = {0.25, 1, 1e-4};
+    return std::make_unique<graph::ScreeningLaw>(std::move(setup));
+}
+
+using MakeLaw = std::unique_ptr<stress::Law> (*)(const mpm::Points&);
+
+std::unique_ptr<graph::Pull> pull_with(MakeLaw make_law) {
     mpm::RigidPlate plate;
-    plate.y = 0.875, plate.half_width = 0.5, plate.half_height = 0.125;
+    plate.y = kPlateCentre, plate.half_width = 0.5, plate.half_height = 0.125;
     plate.friction_angle = std::numbers::pi / 2;
     mpm::Layout layout{{0, 0, kWidth, kDepth}, kCell, 1, 2230, {plate.rectangle()}};
     mpm::Points points = mpm::lay_out(layout);
-    auto law = std::make_unique<graph::RveLaw>(graph::RveLawSetup{{}, {}, rows(), points.row});
+    auto law = make_law(points);
     const double modulus = law->p_wave_modulus();
     graph::StepSettings settings;
     settings.dt = mpm::time_step({0.3, kCell, modulus, 2230, 1, 1});
@@ -68,9 +92,22 @@ std::unique_ptr<graph::Pull> small_pull() {
     return std::make_unique<graph::Pull>(std::move(state), graph::PullPlan{.settle = 0.002});
 }
 
+}  // namespace
+
+std::unique_ptr<graph::Pull> small_pull() { return pull_with(full_law); }
+std::unique_ptr<graph::Pull> small_screening_pull() { return pull_with(screening_law); }
+
 std::string digest(const graph::Pull& pull) {
     const mpm::Points& g = pull.state().points;
     std::string out = fmt::format("{:a} {:a}\n", pull.load(), pull.state().stress_work);
+    if (const auto* law = dynamic_cast<const graph::ScreeningLaw*>(pull.state().law.get())) {
+        for (std::size_t p = 0; p < law->size(); ++p)
+            out += fmt::format("{} {:a} ", static_cast<int>(law->mode(p)), law->audited_error(p));
+        for (const graph::Switch& s : law->switches())
+            out += fmt::format("{} {} {:a}\n", s.step, s.point, s.jump);
+        for (const graph::AuditRow& a : law->audits()) out += fmt::format("{:a} {:a}\n", a.mean, a.ci95);
+        out += fmt::format("{} {:a}\n", law->dem_steps(), law->screening().jump_work);
+    }
     for (std::size_t p = 0; p < g.size(); ++p)
         out += fmt::format("{:a} {:a} {:a} {:a} {:a} {:a} {:a}\n", g.x[p], g.y[p], g.vx[p], g.vy[p],
                            g.stress[p].xx, g.stress[p].yy, g.stress[p].xy);

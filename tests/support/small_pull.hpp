@@ -8,6 +8,9 @@ namespace sandgraph::support {
 // A pull that takes a second: 8 x 8 cells of 0.25 m, a packing of 100 grains at every point, plate 1 m deep.
 std::unique_ptr<graph::Pull> small_pull();
 
+// The same with a closed-form surrogate, a gate that some points pass, and every fourth point audited.
+std::unique_ptr<graph::Pull> small_screening_pull();
+
 // Every bit that the simulation carries, as one text.
 std::string digest(const graph::Pull& pull);
 

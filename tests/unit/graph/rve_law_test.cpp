@@ -2,21 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "dem/fast.hpp"
-#include "dem/packing_csv.hpp"
+#include "tests/support/public_packing.hpp"
 
 namespace sandgraph::graph {
 namespace {
 
-RowPacking public_packing() {
-    static const RowPacking row = [] {
-        dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv"),
-                            dem::Material{});
-        a.step(Mat2::Zero(), 1e-5, 4000);
-        return RowPacking{dem::compact(a.packing(), dem::Material{}, a.stress()), {2.0e7, 1.4e7}};
-    }();
-    return row;
-}
+using support::public_packing;
 
 // A few points on one packing, driven by hand.
 struct Bench {

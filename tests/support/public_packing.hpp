@@ -1,0 +1,25 @@
+#pragma once
+#include "dem/fast.hpp"
+#include "dem/packing_csv.hpp"
+#include "graph/rve_law.hpp"
+#include "stress/surrogate.hpp"
+
+namespace sandgraph::support {
+
+// The public dense packing at 32 kPa, at rest.
+inline graph::RowPacking public_packing() {
+    static const graph::RowPacking row = [] {
+        dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv"),
+                            dem::Material{});
+        a.step(Mat2::Zero(), 1e-5, 4000);
+        return graph::RowPacking{dem::compact(a.packing(), dem::Material{}, a.stress()), {2.0e7, 1.4e7}};
+    }();
+    return row;
+}
+
+inline stress::PackingTraits public_traits() {
+    return {mean_stress(tension_positive(public_packing().packing->stress)), 0.16, 2.0e7, 1.4e7, 3.5, 0, 0,
+            0.5};
+}
+
+}  // namespace sandgraph::support

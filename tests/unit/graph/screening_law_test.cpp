@@ -1,0 +1,190 @@
+#include "graph/screening_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "graph/stress_arithmetic.hpp"
+#include "tests/support/element_surrogate.hpp"
+#include "tests/support/public_packing.hpp"
+
+namespace sandgraph::graph {
+namespace {
+
+// Answers well for a while, then not.
+class Breaking : public support::ElementSurrogate {
+  public:
+    explicit Breaking(double scale) : scale_(scale) {}
+    void update(std::span<const std::int32_t> points, std::span<const Mat2> F_inc, std::span<double> states,
+                std::span<stress::SurrogateAnswer> answers) const override {
+        ElementSurrogate::update(points, F_inc, states, answers);
+        for (stress::SurrogateAnswer& a : answers)
+            if (std::abs(a.stress.xx - a.stress.yy) > 4000) a.stress.xx *= scale_;
+    }
+
+  private:
+    double scale_;
+};
+
+ScreeningSetup setup_of(std::size_t points, double strain) {
+    ScreeningSetup s;
+    s.grains = {{}, {}, {support::public_packing()}, std::vector<std::int32_t>(points, 0)};
+    s.surrogate = std::make_shared<support::ElementSurrogate>();
+    s.traits = {support::public_traits()};
+    s.gate.strain = strain;
+    s.gate.stress_ratio = s.gate.spread = s.gate.distance = 1e9;
+    s.gate.work = s.gate.acoustic = -1e9;
+    s.audit.share = 0;
+    s.hand_over.blend_steps = 40;
+    return s;
+}
+
+template <class AnyLaw>
+struct Bench {
+    Bench(std::size_t points, AnyLaw made) : law(std::move(made)) {
+        for (std::size_t p = 0; p < points; ++p) {
+            ids.push_back(static_cast<std::int32_t>(p));
+            x.push_back(static_cast<double>(p)), y.push_back(0), volume.push_back(1);
+        }
+        F.assign(points, Mat2::Identity()), stress.resize(points);
+        law.initialise(batch());
+    }
+    stress::Batch batch() { return {ids, F, stress, 1e-4}; }
+    AnyLaw law;
+    std::vector<std::int32_t> ids;
+    std::vector<Mat2> F;
+    std::vector<Stress> stress;
+    std::vector<double> x, y, volume;
+};
+
+// Points strain the more the higher their id; the last one turns as well.
+template <class AnyLaw>
+void shear(Bench<AnyLaw>& b, int steps) {
+    for (std::size_t p = 0; p < b.F.size(); ++p) {
+        const double e = 2e-6 * static_cast<double>(p);
+        b.F[p] << 1 + e, 0, 0, 1 - e;
+    }
+    b.F.back()(0, 1) = 1e-6, b.F.back()(1, 0) = -1e-6;
+    for (int k = 0; k < steps; ++k) b.law.update(b.batch());
+}
+
+Bench<ScreeningLaw> screening(std::size_t points, const ScreeningSetup& setup) {
+    return {points, ScreeningLaw(setup)};
+}
+Bench<RveLaw> full(std::size_t points) { return {points, RveLaw(setup_of(points, 0).grains)}; }
+
+double share(const Stress& a, const Stress& b) { return norm(difference(a, b)) / mean_stress(b); }
+
+TEST(ScreeningLaw, StartsAtTheStressOfThePackings) {
+    const auto bench = screening(2, setup_of(2, 1));
+    EXPECT_EQ(bench.stress[1], tension_positive(support::public_packing().packing->stress));
+}
+
+TEST(ScreeningLaw, WithoutAGateTakesNoDemStep) {
+    ScreeningSetup setup = setup_of(3, 0);
+    setup.gate.active = false;
+    auto bench = screening(3, setup);
+    shear(bench, 500);
+    EXPECT_EQ(bench.law.dem_steps(), 0);
+    EXPECT_GT(bench.law.screening().surrogate_updates, 0);
+    EXPECT_EQ(bench.law.grain_points(), 0u);
+}
+
+TEST(ScreeningLaw, WithAThresholdOfZeroGivesTheBitsOfFullFidelity) {
+    auto bench = screening(3, setup_of(3, 0));
+    auto reference = full(3);
+    shear(bench, 300), shear(reference, 300);
+    EXPECT_EQ(bench.stress, reference.stress);
+}
+
+TEST(ScreeningLaw, PointsPastTheGateGoOverToTheirGrains) {
+    auto bench = screening(3, setup_of(3, 2e-3));
+    auto reference = full(3);
+    shear(bench, 900), shear(reference, 900);  // point 1 to 3.6e-3, point 2 to 7.2e-3
+    EXPECT_EQ(bench.law.mode(0), PointMode::surrogate);
+    ASSERT_EQ(bench.law.mode(1), PointMode::grains);
+    ASSERT_EQ(bench.law.mode(2), PointMode::grains);
+    EXPECT_LT(share(bench.stress[1], reference.stress[1]), 0.05);
+    EXPECT_LT(share(bench.stress[2], reference.stress[2]), 0.05);
+    ASSERT_EQ(bench.law.switches().size(), 2u);
+    EXPECT_EQ(bench.law.switches()[0].point, 2);
+    EXPECT_EQ(bench.law.switches()[0].reason, Reason::strain);
+    EXPECT_GT(bench.law.screening().replay_steps, 0);
+}
+
+TEST(ScreeningLaw, TheStressDoesNotJumpWhereAPointIsHandedOver) {
+    auto bench = screening(3, setup_of(3, 2e-3));
+    double largest = 0;
+    for (int k = 0; k < 900; ++k) {
+        const Stress before = bench.stress[2];
+        shear(bench, 1);
+        largest = std::max(largest, norm(difference(bench.stress[2], before)));
+    }
+    ASSERT_GT(bench.law.switches().size(), 0u);
+    const double jump = bench.law.switches()[0].jump * 32e3;
+    EXPECT_GT(jump, 0);
+    EXPECT_LT(largest, 0.05 * jump + 0.03 * 32e3);
+}
+
+TEST(ScreeningLaw, AuditsChangeNoBitOfTheGround) {
+    ScreeningSetup looked = setup_of(4, 3e-3), alone = looked;
+    looked.audit.share = 1;
+    auto a = screening(4, looked), b = screening(4, alone);
+    shear(a, 700), shear(b, 700);
+    EXPECT_EQ(a.stress, b.stress);
+    a.law.audit_now(1);
+    EXPECT_GT(a.law.audits().back().points, 0);
+    EXPECT_GT(a.law.audits().back().mean, 0);
+    EXPECT_GT(a.law.screening().audit_steps, 0);
+    EXPECT_TRUE(std::isnan(b.law.audited_error(0)));
+}
+
+TEST(ScreeningLaw, TheAuditSeesTheErrorThatIsThere) {
+    ScreeningSetup setup = setup_of(3, 1);
+    setup.audit.share = 1;
+    auto bench = screening(3, setup);
+    auto reference = full(3);
+    shear(bench, 800), shear(reference, 800);
+    EXPECT_NEAR(bench.law.audited_error(2), share(bench.stress[2], reference.stress[2]), 0.05);
+}
+
+class BrokenSurrogate : public testing::TestWithParam<double> {};
+
+TEST_P(BrokenSurrogate, IsReplacedByTheGrains) {
+    ScreeningSetup setup = setup_of(3, 1);
+    setup.gate.active = false;
+    setup.surrogate = std::make_shared<Breaking>(GetParam());
+    auto bench = screening(3, setup);
+    auto reference = full(3);
+    shear(bench, 900), shear(reference, 900);
+    ASSERT_EQ(bench.law.mode(2), PointMode::grains);
+    EXPECT_LT(share(bench.stress[2], reference.stress[2]), 0.05);
+    EXPECT_EQ(bench.law.switches()[0].reason, Reason::failed_answer);
+    EXPECT_GE(bench.law.screening().failed_answers, 1);
+    EXPECT_EQ(bench.law.counters().failures, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Answers, BrokenSurrogate,
+                         testing::Values(std::numeric_limits<double>::quiet_NaN(),
+                                         std::numeric_limits<double>::infinity(), 30.0));
+
+TEST(ScreeningLaw, NeighboursGoOverWithAPoint) {
+    ScreeningSetup setup = setup_of(6, 2e-3);
+    auto bench = screening(6, setup);
+    for (int k = 0; k < 400; ++k) {
+        for (auto& F : bench.F) F << 1 + 5e-7, 0, 0, 1 - 5e-7;
+        bench.F[3] << 1 + 5e-6, 0, 0, 1 - 5e-6;
+        bench.law.predict(bench.batch()), bench.law.route(bench.batch());
+        bench.law.ask(bench.batch()), bench.law.drive(bench.batch());
+        bench.law.hand_over(bench.batch(), {bench.x, bench.y, bench.volume, 1, 1e-3 * k});
+    }
+    for (std::size_t p = 0; p < 6; ++p)
+        EXPECT_EQ(bench.law.by_grains(p), p >= 2 && p <= 4) << p;
+    for (const Switch& s : bench.law.switches())
+        EXPECT_EQ(s.reason, s.point == 3 ? Reason::strain : Reason::neighbour);
+    EXPECT_NE(bench.law.screening().jump_work, 0);
+}
+
+}  // namespace
+}  // namespace sandgraph::graph
