@@ -12,5 +12,7 @@ void add_report_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_keys_command(CLI::App& app, int& exit_code);
 void add_run_command(CLI::App& app, int& exit_code);
+void add_compare_command(CLI::App& app, int& exit_code);
+void add_pareto_command(CLI::App& app, int& exit_code);
 
 }  // namespace sandgraph::app

@@ -18,7 +18,8 @@ struct Shown {
 constexpr Shown kFields[] = {{report::Quantity::displacement, "displacement"},
                              {report::Quantity::equivalent_strain, "strain"},
                              {report::Quantity::rotation, "rotation"},
-                             {report::Quantity::porosity, "porosity"}};
+                             {report::Quantity::porosity, "porosity"},
+                             {report::Quantity::mode, "mode"}};
 
 report::ReferenceLine formula(const PictureSource& source) {
     const double ratio = source.scene.anchor.embedment_ratio, phi = source.friction_angle;
@@ -64,7 +65,7 @@ std::string draw_pictures(const std::filesystem::path& to, const PictureSource& 
     for (std::size_t k = 0; last.drawn && k < source.record.frames; ++k) {
         const io::Frame frame = io::read_run_frame(source.frame_file, k);
         for (const Shown& field : kFields)
-            if (last.drawn)
+            if (last.drawn && (field.quantity != report::Quantity::mode || report::has_field(frame, "mode")))
                 last = report::draw_field_picture(frame, field.quantity, view,
                                                   to / picture_name(field.name, frame.d_over_B));
     }

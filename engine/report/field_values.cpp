@@ -66,6 +66,9 @@ PointValues point_values(const io::Frame& frame, Quantity quantity) {
         case Quantity::rotation:
             return {"rotation θ, anticlockwise +", "deg", true,
                     from_gradient(frame, [](const Mat2& F) { return degrees(rotation(F)); })};
+        case Quantity::mode:
+            return {"0 surrogate, 1 replay, 2 shadow, 3 blending, 4 grains", "-", false,
+                    field(frame, "mode", 1).values};
         case Quantity::porosity:
             break;
     }

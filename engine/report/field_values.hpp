@@ -8,8 +8,8 @@
 namespace sandgraph::report {
 
 // What a field picture shows. Frames carry the fields "displacement" (2 components) [m], "F" (4: xx, xy, yx,
-// yy) and "porosity" (1).
-enum class Quantity { displacement, equivalent_strain, rotation, porosity };
+// yy) and "porosity" (1); those of a screening run also "mode" (1), who answers for a point.
+enum class Quantity { displacement, equivalent_strain, rotation, porosity, mode };
 
 // One value per material point, ready to be coloured.
 struct PointValues {

@@ -18,8 +18,8 @@ inline graph::RowPacking public_packing() {
 }
 
 inline stress::PackingTraits public_traits() {
-    return {mean_stress(tension_positive(public_packing().packing->stress)), 0.16, 2.0e7, 1.4e7, 3.5, 0, 0,
-            0.5};
+    return {
+        mean_stress(tension_positive(public_packing().packing->stress)), 0.16, 2.0e7, 1.4e7, 3.5, 0, 0, 0.5};
 }
 
 }  // namespace sandgraph::support

@@ -179,8 +179,7 @@ TEST(ScreeningLaw, NeighboursGoOverWithAPoint) {
         bench.law.ask(bench.batch()), bench.law.drive(bench.batch());
         bench.law.hand_over(bench.batch(), {bench.x, bench.y, bench.volume, 1, 1e-3 * k});
     }
-    for (std::size_t p = 0; p < 6; ++p)
-        EXPECT_EQ(bench.law.by_grains(p), p >= 2 && p <= 4) << p;
+    for (std::size_t p = 0; p < 6; ++p) EXPECT_EQ(bench.law.by_grains(p), p >= 2 && p <= 4) << p;
     for (const Switch& s : bench.law.switches())
         EXPECT_EQ(s.reason, s.point == 3 ? Reason::strain : Reason::neighbour);
     EXPECT_NE(bench.law.screening().jump_work, 0);

@@ -18,7 +18,8 @@ std::vector<Mat2> wandering(std::uint64_t seed, int steps, double size) {
     Mat2 F = Mat2::Identity(), drift = Mat2::Zero();
     for (int k = 0; k < steps; ++k) {
         if (k % 40 == 0)
-            drift << random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1);
+            drift << random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
+                random.uniform(-1, 1);
         Mat2 dither;
         dither << random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1);
         F = (Mat2::Identity() + size * (drift + 0.2 * dither)) * F;

@@ -1,0 +1,32 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "app/compare_runs.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+struct Arguments {
+    std::string reference, other;
+    bool json = false;
+};
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+    auto a = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("compare", "error and speed of one run against another");
+    command->add_option("reference", a->reference, "run folder")->required();
+    command->add_option("other", a->other, "run folder")->required();
+    command->add_flag("--json", a->json, "as JSON");
+    command->callback([a, &exit_code] {
+        const Comparison c = compare_runs(read_finished_run(a->reference), read_finished_run(a->other));
+        fmt::print("{}", a->json ? to_json(c) : to_text(c));
+        exit_code = exit_done;
+    });
+}
+
+}  // namespace sandgraph::app

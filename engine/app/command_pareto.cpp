@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "app/pareto_study.hpp"
+#include "io/atomic_file.hpp"
+#include "report/pareto_picture.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+report::ParetoPicture picture_of(const std::vector<ParetoRow>& rows, const std::string& title) {
+    report::ParetoPicture picture{"Speed against error: " + title, {}};
+    for (const ParetoRow& r : rows)
+        picture.marks.push_back({r.label, r.against.wall_ratio, r.against.peak_error, r.against.curve_error,
+                                 r.against.audit_mean, r.against.audit_ci95, r.true_error});
+    return picture;
+}
+
+int study(const ParetoRequest& request) {
+    const auto rows = pareto_study(request);
+    if (!rows) {
+        fmt::print(stderr, "stopped; the same command goes on\n");
+        return exit_stopped_early;
+    }
+    const std::filesystem::path folder = request.run.folder;
+    const std::string csv = to_csv(*rows);
+    io::write_text(folder / "pareto.csv", csv);
+    fmt::print("{}", csv);
+    const report::Picture drawn = report::draw_pareto_picture(
+        picture_of(*rows, title_of(scene_of(request.run))), folder / "pareto.png");
+    fmt::print("{}\n", drawn.drawn ? "results in " + folder.string() : "no picture: " + drawn.message);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_pareto_command(CLI::App& app, int& exit_code) {
+    auto a = std::make_shared<ParetoRequest>();
+    a->thresholds = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05};
+    CLI::App* command = app.add_subcommand(
+        "pareto", "speed against error: one scene at several gate thresholds, and at full fidelity");
+    command->add_option("scene", a->run.scene, "TOML file")->required();
+    command->add_option("-o,--out", a->run.folder, "folder of all runs, pareto.csv and pareto.png")
+        ->required();
+    command->add_option("--thresholds", a->thresholds, "of gate.strain")->delimiter(',');
+    command->add_option("--set", a->run.set, "section.key=value for all runs; may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--threads", a->run.threads, "default: all cores")->check(CLI::Range(1, 1024));
+    command->add_flag("--census", a->census, "each again with every point audited: the true stress error");
+    command->callback([a, &exit_code] { exit_code = study(*a); });
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+
+#include "app/finished_run.hpp"
+
+namespace sandgraph::app {
+
+// How one run differs from a reference of the same ground. Shares are of the reference.
+struct Comparison {
+    double peak_error = 0;            // |peak - reference peak| / reference peak, of the smoothed curves
+    double peak_position_error = 0;   // |d/B - reference d/B| at the peak
+    double curve_error = 0;           // rms of the load difference over the common d/B, share of the peak
+    double curve_error_smoothed = 0;  // the same of the curves smoothed over 0.005 in d/B
+    int frames = 0;                   // field frames at a d/B that both have, the start apart
+    double displacement_error = 0;    // rms over points and frames of |u - u_ref|, share of the pull d
+    double stress_error = 0;          // rms over points and frames of |sigma - sigma_ref| / max(p_ref, 1 kPa)
+    double wall_ratio = 0, cpu_ratio = 0;      // reference's over the other's: how many times faster
+    double dem_share_mean = 0, dem_share = 0;  // of the other: over the run, at its end
+    double audit_mean = 0, audit_ci95 = 0;     // of the other; NaN without an audit
+};
+
+// Errors that cannot be told (no common frame, no peak) are NaN. InputError when the grounds differ in
+// their number of points.
+Comparison compare_runs(const FinishedRun& reference, const FinishedRun& other);
+
+std::string to_text(const Comparison& c);
+std::string to_json(const Comparison& c);
+
+}  // namespace sandgraph::app

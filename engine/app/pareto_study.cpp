@@ -1,0 +1,91 @@
+#include "app/pareto_study.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/command_line.hpp"
+#include "base/hash.hpp"
+#include "io/checkpoint.hpp"
+#include "scene/scene_hash.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Plan {
+    std::string label;
+    std::string mode;
+    std::vector<std::string> set;
+};
+
+std::vector<Plan> plans(const ParetoRequest& request) {
+    std::vector<Plan> out{{"full", "full", {}}};
+    for (const double t : request.thresholds)
+        out.push_back({fmt::format("{}", t), "screening", {fmt::format("gate.strain={}", t)}});
+    out.push_back({"surrogate", "screening", {"gate.active=false"}});
+    return out;
+}
+
+bool is_of(const fs::path& folder, const std::string& hash) {
+    return fs::exists(folder / "run.h5") && io::read_run(folder / "run.h5").info.scene_hash == hash;
+}
+
+// The run of a plan, made now unless its folder has it.
+std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan, const std::string& suffix) {
+    RunRequest run = request.run;
+    run.mode = plan.mode;
+    run.set.insert(run.set.end(), plan.set.begin(), plan.set.end());
+    if (!suffix.empty()) run.set.emplace_back("audit.share=1");
+    const fs::path folder = fs::path(request.run.folder) / (plan.label + suffix);
+    run.folder = folder.string();
+    const bool same = is_of(folder, hex(scene::scene_hash(scene_of(run))));
+    if (same && fs::exists(folder / "summary.json")) return read_finished_run(folder);
+    run.resume = same && fs::exists(folder / io::checkpoint_name);
+    fmt::print("--- {}\n", folder.string());
+    if (simulate(run) != exit_done) return std::nullopt;
+    return read_finished_run(folder);
+}
+
+}  // namespace
+
+std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request) {
+    std::vector<ParetoRow> rows;
+    std::optional<FinishedRun> reference;
+    for (const Plan& plan : plans(request)) {
+        const auto run = run_of(request, plan, "");
+        if (!run) return std::nullopt;
+        if (!reference) reference = run;
+        ParetoRow row{plan.label,         compare_runs(*reference, *run), run->summary.wall_s,
+                      run->summary.cpu_s, run->number("jump_p95"),        io::Summary::unknown};
+        if (request.census && plan.mode == "screening") {
+            const auto census = run_of(request, plan, "_census");
+            if (!census) return std::nullopt;
+            row.true_error = census->summary.audit.stress_error_mean;
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::string to_csv(const std::vector<ParetoRow>& rows) {
+    std::string out =
+        "threshold,wall_s,cpu_s,speedup,dem_fraction_mean,dem_fraction_final,peak_error,peak_position_error,"
+        "curve_error,curve_error_smoothed,displacement_error,stress_error,jump_p95,audit_mean,audit_ci95,"
+        "true_stress_error,interval_holds\n";
+    for (const ParetoRow& r : rows) {
+        const Comparison& c = r.against;
+        const bool known = std::isfinite(r.true_error) && std::isfinite(c.audit_ci95);
+        out += fmt::format(
+            "{},{:.2f},{:.2f},{:.3f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.4f},"
+            "{:.5f},{:.5f},{:.5f},{}\n",
+            r.label, r.wall, r.cpu, c.wall_ratio, c.dem_share_mean, c.dem_share, c.peak_error,
+            c.peak_position_error, c.curve_error, c.curve_error_smoothed, c.displacement_error,
+            c.stress_error, r.jump_p95, c.audit_mean, c.audit_ci95, r.true_error,
+            known ? (std::abs(r.true_error - c.audit_mean) <= c.audit_ci95 ? "yes" : "no") : "");
+    }
+    return out;
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/compare_runs.hpp"
+#include "app/simulate.hpp"
+
+namespace sandgraph::app {
+
+struct ParetoRequest {
+    RunRequest run;                  // `folder` holds all runs
+    std::vector<double> thresholds;  // of gate.strain; all grains and all surrogate are always there
+    bool census = false;             // each again with every point audited: the true stress error
+};
+
+struct ParetoRow {
+    std::string label;  // "full", the threshold, or "surrogate"
+    Comparison against;
+    double wall = 0, cpu = 0;  // [s]
+    double jump_p95 = 0, true_error = 0;
+};
+
+// Runs the scene at full fidelity and at each threshold, each in a folder of its own; a run that is finished
+// is not repeated, one that was stopped goes on. Empty when a run was stopped again.
+std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request);
+
+std::string to_csv(const std::vector<ParetoRow>& rows);
+
+}  // namespace sandgraph::app
