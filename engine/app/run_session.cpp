@@ -52,6 +52,7 @@ RunSession::RunSession(const scene::Scene& scene, const PreparedGround& ground, 
       initial_porosity_(1 - ground.density / kSolidDensity),
       loads_(scene.output.load_every, whole_plate_factor(scene)),
       file_(open_file(scene, options)) {
+    if (scene.output.history) history_.emplace(scene, ground, *pull_, options.folder, options.resume);
     if (options.resume) resume();
 }
 
@@ -65,6 +66,7 @@ void RunSession::archive(Archive& a) {
     pull_->archive(a);
     loads_.archive(a);
     file_.archive(a);
+    if (history_) history_->archive(a);
     std::vector<double> clocks = {wall_seconds(), cpu_seconds(), static_cast<double>(next_frame_),
                                   last_load_};
     a.field("session", clocks);
@@ -86,6 +88,7 @@ RunEnd RunSession::run() {
     const bool all = pull_->d_over_B() >= scene_.anchor.pull_to - kReached;
     if (all) audit_at_end();
     all ? wind_up() : checkpoint();
+    if (history_ && !all) history_->write(false);
     return pull_->d_over_B() < options_.until - kReached ? RunEnd::interrupted : RunEnd::finished;
 }
 
@@ -94,6 +97,7 @@ void RunSession::after_step() {
         last_load_ = row->load;
         writer_.post([this, row] { file_.append(*row); });
     }
+    if (history_) history_->after_step(*pull_, writer_);
     const auto& marks = scene_.output.frames;
     if (next_frame_ < marks.size() && pull_->d_over_B() >= marks[next_frame_] - kReached) record_frame();
     if (wall_clock() - last_checkpoint_ > scene_.output.checkpoint_every) checkpoint();
@@ -121,6 +125,7 @@ void RunSession::note_timing() {
 void RunSession::wind_up() {
     note_timing();
     file_.commit();
+    if (history_) history_->write(true);
     const std::filesystem::path checkpoint = options_.folder / io::checkpoint_name;
     std::filesystem::remove(checkpoint);
     std::filesystem::remove(io::previous_checkpoint(checkpoint));

@@ -5,6 +5,7 @@
 
 #include "app/background_writer.hpp"
 #include "app/build_pull.hpp"
+#include "app/history_recorder.hpp"
 #include "app/load_recorder.hpp"
 #include "io/run_file.hpp"
 
@@ -29,6 +30,7 @@ class RunSession {
     const graph::Pull& pull() const { return *pull_; }
     const io::RunRecord& record() const { return file_.record(); }
     const LoadRecorder& loads() const { return loads_; }
+    const std::optional<HistoryRecorder>& history() const { return history_; }
     double wall_seconds() const;  // of this and the runs it resumed
     double cpu_seconds() const;
     std::filesystem::path frame_file() const { return file_.path(); }
@@ -50,6 +52,7 @@ class RunSession {
     double initial_porosity_ = 0;  // for laws without grains
     LoadRecorder loads_;
     io::RunFile file_;
+    std::optional<HistoryRecorder> history_;  // where the scene asks for it
     std::size_t next_frame_ = 0;
     double last_load_ = 0;
     double wall_before_ = 0, cpu_before_ = 0, wall_start_ = 0, cpu_start_ = 0, last_checkpoint_ = 0;

@@ -56,6 +56,12 @@ void add_grains(const graph::Pull& pull, io::Summary& s) {
     s.extra.emplace_back("inertial_number_max", c.inertial_number_max);
 }
 
+void add_history(const RunSession& session, io::Summary& s) {
+    if (!session.history()) return;
+    s.extra.emplace_back("history_rows", static_cast<double>(session.history()->rows()));
+    s.extra.emplace_back("history_full", session.history()->full());
+}
+
 double extra(const io::Summary& s, const std::string& key) {
     for (const auto& [name, value] : s.extra)
         if (name == key) return value;
@@ -73,6 +79,7 @@ io::Summary summarise(const RunSession& session, const scene::Scene& scene, cons
     s.threads = threads, s.mode = session.record().info.mode, s.git = revision();
     s.scene_hash = hex(scene::scene_hash(scene));
     add_grains(pull, s);
+    add_history(session, s);
     if (!scene.anchor.present) return s;
     add_loads(session, scene, ground, s);
     s.kinetic_to_strain_energy_max = session.loads().kinetic_share_max();
@@ -100,6 +107,10 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene, const 
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");
     if (scene.mode == scene::Mode::screening) out += screening_text(s);
+    if (const double rows = extra(s, "history_rows"); rows > 0)
+        out += fmt::format(
+            "history.h5 holds {:.0f} updates{}\n", rows,
+            extra(s, "history_full") > 0 ? "; it was full before the end (output.history_max)" : "");
     if (const double failures = extra(s, "rve_failures"); failures > 0)
         out += fmt::format(
             "warning: {:.0f} DEM updates failed and kept their last stress; do not trust this run\n",

@@ -32,6 +32,7 @@ constexpr std::array units = {
     Unit{"mm/s", "velocity", 1, 1e3}, Unit{"m/s2", "acceleration", 1, 1},
     Unit{"1/s", "rate", 1, 1},        Unit{"kg/m3", "density", 1, 1},
     Unit{"g/cm3", "density", 1e3, 1}, Unit{"t/m3", "density", 1e3, 1},
+    Unit{"MB", "size", 1e6, 1},       Unit{"GB", "size", 1e9, 1},
 };
 
 const Unit* find_unit(std::string_view name) {

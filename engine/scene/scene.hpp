@@ -90,6 +90,8 @@ struct Output {
     std::vector<double> frames = {0, 0.02, 0.1, 0.2, 0.3, 0.4};  // in d/B
     double checkpoint_every = 120;                               // wall time [s]
     bool history = false;                                        // RVE history log (off unless asked for)
+    int history_points = 64;                                     // of the ground, in the log
+    double history_max = 500e6;                                  // size at which logging ends [B]
 };
 
 struct Scene {

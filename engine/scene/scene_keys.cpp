@@ -81,7 +81,13 @@ void add_output_keys(KeyTable& keys, Output& o) {
         .in_hash = false;
     output.real("checkpoint_every", o.checkpoint_every, "s", above(0), "wall time between checkpoints")
         .in_hash = false;
-    output.flag("history", o.history, "log every update of every packing, for training").in_hash = false;
+    output.flag("history", o.history, "log the updates of some packings to history.h5, for training")
+        .in_hash = false;
+    output
+        .integer("history_points", o.history_points, 1,
+                 "points in the log: half anywhere, half near the plate and its edges")
+        .in_hash = false;
+    output.real("history_max", o.history_max, "MB", above(0), "size at which logging ends").in_hash = false;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "io/history_file.hpp"
 #include "io/run_record.hpp"
 
 namespace {
@@ -31,6 +32,8 @@ count = 100
 [output]
 load_every = 0.001
 frames = [0, 0.01, 0.02, 0.03]
+history = true
+history_points = 12
 checkpoint_every = "0.05 s"
 )";
 
@@ -104,6 +107,20 @@ class InterruptedRun : public testing::Test {
                 EXPECT_EQ(f.fields[n].values, g.fields[n].values) << f.fields[n].name;
         }
     }
+    void expect_same_history(const std::string& a, const std::string& b) const {
+        const auto first = sandgraph::io::read_history(out(a) / "history.h5"),
+                   second = sandgraph::io::read_history(out(b) / "history.h5");
+        EXPECT_FALSE(fs::exists(out(b) / "history.part"));
+        ASSERT_EQ(first.histories.size(), 12u);
+        ASSERT_EQ(first.begin, second.begin);
+        EXPECT_GT(first.rows.size(), 200u);
+        for (std::size_t k = 0; k < first.rows.size(); ++k) {
+            ASSERT_EQ(first.rows[k].F_inc, second.rows[k].F_inc) << k;
+            ASSERT_EQ(first.rows[k].stress, second.rows[k].stress) << k;
+            ASSERT_EQ(first.rows[k].dt, second.rows[k].dt) << k;
+            ASSERT_EQ(first.rows[k].energy, second.rows[k].energy) << k;
+        }
+    }
     fs::path folder_;
 };
 
@@ -115,10 +132,12 @@ TEST_F(InterruptedRun, ResumesToTheSameBits) {
     EXPECT_FALSE(fs::exists(out("asked") / "summary.json"));
     ASSERT_EQ(run("asked", {"--resume", "--threads", "1"}), 0);
     expect_same("whole", "asked");
+    expect_same_history("whole", "asked");
 
     EXPECT_EQ(stop("killed", SIGKILL, 15), 128 + SIGKILL);
     ASSERT_EQ(run("killed", {"--resume"}), 0);
     expect_same("whole", "killed");
+    expect_same_history("whole", "killed");
 }
 
 TEST_F(InterruptedRun, StopsWhereAskedAndGoesOn) {
@@ -140,6 +159,7 @@ TEST_F(InterruptedRun, RefusesToResumeNothingOrAnotherScene) {
     EXPECT_FALSE(fs::exists(out("nothing")));
     ASSERT_EQ(run("part", {"--until", "0.002"}), 0);
     EXPECT_EQ(run("part", {"--resume", "--set", "grains.seed=2"}), 2);
+    EXPECT_EQ(run("part", {"--resume", "--set", "output.history_points=11"}), 2);
 }
 
 }  // namespace

@@ -111,7 +111,9 @@ TEST(Probe, PointsOfConstantPressureKeepItAndThoseOfConstantVolumeTheirVolume) {
                 EXPECT_GT(row.p, 0.2 * start);
                 EXPECT_LT(row.p, 5 * start);
             }
-            if (log.histories[h].path == HistoryPath::constant_volume) EXPECT_NEAR(row.volume_ratio, 1, 1e-3);
+            if (log.histories[h].path == HistoryPath::constant_volume) {
+                EXPECT_NEAR(row.volume_ratio, 1, 1e-3);
+            }
         }
     }
 }

@@ -1,0 +1,107 @@
+#include "app/history_recorder.hpp"
+
+#include <fmt/format.h>
+
+#include "app/history_points.hpp"
+#include "app/history_row.hpp"
+#include "app/revision.hpp"
+#include "base/error.hpp"
+#include "graph/rve_law.hpp"
+#include "io/history_file.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+constexpr std::size_t kBlock = 2048;  // rows handed to the writer at once
+
+graph::RveLaw& grains_of(graph::Pull& pull, const scene::Scene& scene) {
+    if (auto* law = dynamic_cast<graph::RveLaw*>(pull.state().law.get())) return *law;
+    throw InputError({scene.file}, "output.history = true",
+                     "only a run with a packing at every point logs them",
+                     "run with ground.law = \"rve\" and mode = \"full\", or leave history out");
+}
+
+std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene, const PreparedGround& ground) {
+    std::vector<io::HistoryPacking> out;
+    for (std::size_t row = 0; row < ground.rows.size(); ++row)
+        out.push_back(history_packing(ground.rows[row], ground.traits[row], scene.ground.grains));
+    return out;
+}
+
+}  // namespace
+
+HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const PreparedGround& ground, graph::Pull& pull,
+                                 std::filesystem::path folder, bool resume)
+    : folder_(std::move(folder)),
+      source_{"run", scene.text, SANDGRAPH_VERSION, revision()},
+      packings_(packings_of(scene, ground)),
+      rows_max_(
+          static_cast<std::size_t>(scene.output.history_max / double(io::HistoryJournal::row_bytes()))) {
+    graph::RveLaw& law = grains_of(pull, scene);
+    const mpm::Points& points = pull.state().points;
+    const auto chosen = history_points(points, pull.state().plate.rectangle(), scene.anchor.width,
+                                       scene.output.history_points, scene.ground.grains.seed);
+    law.watch(chosen);
+    history_of_.assign(points.size(), -1);
+    for (const std::int32_t point : chosen) {
+        const auto p = static_cast<std::size_t>(point);
+        history_of_[p] = static_cast<std::int32_t>(histories_.size());
+        histories_.push_back({.packing = points.row[p], .point = point, .x = points.x[p], .y = points.y[p]});
+    }
+    length_.assign(histories_.size(), 0);
+    last_time_.assign(histories_.size(), 0);
+    if (!resume) journal_.emplace(journal_path(), 0);
+}
+
+void HistoryRecorder::after_step(const graph::Pull& pull, BackgroundWriter& writer) {
+    const auto& law = dynamic_cast<const graph::RveLaw&>(*pull.state().law);
+    for (const graph::RveUpdate& update : law.watched_updates()) log(update, pull.time());
+    if (pending_.size() >= kBlock) hand_over(writer);
+}
+
+// A history that loses one row is over, so logging ends for all at once.
+void HistoryRecorder::log(const graph::RveUpdate& update, double time) {
+    full_ = full_ || logged_ == rows_max_;
+    if (full_) return;
+    const std::int32_t history = history_of_[static_cast<std::size_t>(update.point)];
+    const auto h = static_cast<std::size_t>(history);
+    io::HistoryRow row = history_row(update);
+    row.history = history, row.sequence = static_cast<std::int32_t>(length_[h]++);
+    row.dt = time - last_time_[h];
+    last_time_[h] = time;
+    pending_.push_back(row);
+    ++logged_;
+}
+
+void HistoryRecorder::hand_over(BackgroundWriter& writer) {
+    auto rows = std::make_shared<std::vector<io::HistoryRow>>(std::move(pending_));
+    pending_.clear();
+    writer.post([this, rows] { journal_->append(*rows); });
+}
+
+void HistoryRecorder::archive(Archive& a) {
+    std::vector<std::int64_t> counts{static_cast<std::int64_t>(logged_), full_};
+    if (!a.reading()) {
+        journal_->append(pending_), pending_.clear();
+        journal_->sync();
+    }
+    a.field("history/counts", counts), a.field("history/length", length_);
+    a.field("history/time", last_time_);
+    if (!a.reading()) return;
+    if (length_.size() != histories_.size() || last_time_.size() != histories_.size())
+        throw InputError({folder_.string()}, "the run to resume logs other points",
+                         fmt::format("{} histories, {} now", length_.size(), histories_.size()),
+                         "resume with the history_points it was started with");
+    logged_ = static_cast<std::size_t>(counts.at(0)), full_ = counts.at(1) != 0;
+    journal_.emplace(journal_path(), logged_);
+}
+
+void HistoryRecorder::write(bool over) {
+    journal_->append(pending_), pending_.clear();
+    io::HistoryWriter writer(folder_ / "history.h5", source_, packings_, histories_);
+    journal_->read([&](std::span<const io::HistoryRow> rows) { writer.append(rows); });
+    writer.commit();
+    if (over) journal_.reset(), std::filesystem::remove(journal_path());
+}
+
+}  // namespace sandgraph::app
