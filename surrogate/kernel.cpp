@@ -13,9 +13,9 @@ namespace sandgraph::surrogate {
 HWY_EXPORT(Serve);
 HWY_EXPORT(TargetName);
 
-void serve(const Model& model, std::span<const std::int32_t> points, std::span<const Mat2> F_inc,
+void serve(const KernelModel& kernel, std::span<const std::int32_t> points, std::span<const Mat2> F_inc,
            std::span<double> states, std::span<stress::SurrogateAnswer> answers) {
-    if (!points.empty()) HWY_DYNAMIC_DISPATCH(Serve)(model, points, F_inc, states, answers);
+    if (!points.empty()) HWY_DYNAMIC_DISPATCH(Serve)(kernel, points, F_inc, states, answers);
 }
 
 std::vector<std::int64_t> kernel_targets() { return hwy::SupportedAndGeneratedTargets(); }

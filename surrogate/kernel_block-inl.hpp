@@ -16,27 +16,48 @@
 HWY_BEFORE_NAMESPACE();
 namespace sandgraph::surrogate::HWY_NAMESPACE {
 
-using DI = hn::RebindToSigned<D>;
-
-// Same numbers of several points, `stride` doubles apart. Missing points repeat the last one, bit for bit.
+// Rows of doubles in memory, one a point, as columns of vectors. All rows are staged first, four doubles of
+// every point after another, so that Highway turns them into columns without waiting for a store. Missing
+// points repeat the last one, bit for bit, and are not stored.
 struct Rows {
     double* base;
-    hn::Vec<DI> offset;
-    HWY_INLINE V get(std::size_t column) const { return hn::GatherIndex(D(), base + column, offset); }
-    HWY_INLINE void set(std::size_t column, V v) const { hn::ScatterIndex(v, D(), base + column, offset); }
-};
+    std::size_t stride, count;
+    const std::int32_t* points;
+    double* HWY_RESTRICT stage;  // [stride x lanes], aligned
 
-HWY_INLINE Rows RowsOf(double* base, std::size_t stride, std::span<const std::int32_t> points) {
-    HWY_ALIGN std::int64_t offset[8];
-    for (std::size_t i = 0; i < hn::Lanes(DI()); ++i)
-        offset[i] = static_cast<std::int64_t>(stride) * points[std::min(i, points.size() - 1)];
-    return {base, hn::Load(DI(), offset)};
-}
+    HWY_INLINE double* at(std::size_t lane) const {
+        return base + stride * static_cast<std::size_t>(points[std::min(lane, count - 1)]);
+    }
+    HWY_INLINE void fetch() const {
+        const D4 four;
+        const std::size_t lanes = hn::Lanes(D());
+        for (std::size_t i = 0; i < lanes; ++i)
+            for (std::size_t c = 0; c < stride; c += 4)
+                for (std::size_t k = 0; k < 4; k += hn::Lanes(four))
+                    hn::Store(hn::LoadU(four, at(i) + c + k), four, stage + c * lanes + 4 * i + k);
+    }
+    HWY_INLINE void store() const {
+        const D4 four;
+        const std::size_t lanes = hn::Lanes(D());
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t c = 0; c < stride; c += 4)
+                for (std::size_t k = 0; k < 4; k += hn::Lanes(four))
+                    hn::StoreU(hn::Load(four, stage + c * lanes + 4 * i + k), four, at(i) + c + k);
+    }
+    HWY_INLINE void get4(std::size_t column, V* v) const {
+        hn::LoadInterleaved4(D(), stage + column * hn::Lanes(D()), v[0], v[1], v[2], v[3]);
+    }
+    HWY_INLINE void set4(std::size_t column, const V* v) const {
+        hn::StoreInterleaved4(v[0], v[1], v[2], v[3], D(), stage + column * hn::Lanes(D()));
+    }
+};
 
 // stress::increment and strain_of, in their order of operations.
 HWY_INLINE void SetStrain(const Rows& F, double substep, Points& points) {
     const V one = Set(1), half = Set(0.5);
-    const V xx = F.get(0), yx = F.get(1), xy = F.get(2), yy = F.get(3);
+    V column[4];  // Eigen keeps columns
+    F.get4(0, column);
+    const V xx = column[0], yx = column[1], xy = column[2], yy = column[3];
     const V a = hn::Add(xx, yy), b = hn::Sub(yx, xy);
     const V n = hn::Div(one, hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(b, b))));
     const V c = hn::Mul(a, n), s = hn::Mul(b, n);
@@ -61,45 +82,53 @@ HWY_INLINE void SetStrain(const Rows& F, double substep, Points& points) {
 }
 
 HWY_INLINE Points Fetch(const Rows& state) {
-    const std::size_t c = StateLayout::constants;
+    static_assert(StateLayout::volume == 0 && StateLayout::fabric == 1 && StateLayout::constants == 3);
+    V v[StateLayout::shared];
+    for (std::size_t c = 0; c < StateLayout::shared; c += 4) state.get4(c, v + c);
     Points p;
-    p.volume = state.get(StateLayout::volume);
-    p.fabric_re = state.get(StateLayout::fabric);
-    p.fabric_im = state.get(StateLayout::fabric + 1);
-    p.p0 = state.get(c), p.e0 = state.get(c + 1), p.K0 = state.get(c + 2);
-    p.G0 = state.get(c + 3), p.coordination = state.get(c + 4), p.strength = state.get(c + 5);
+    p.volume = v[0], p.fabric_re = v[1], p.fabric_im = v[2];
+    p.p0 = v[3], p.e0 = v[4], p.K0 = v[5], p.G0 = v[6], p.coordination = v[7], p.strength = v[8];
     p.log_p0 = Log(p.p0);
     return p;
 }
 
-HWY_INLINE MemberPoints FetchMember(const Rows& state, std::size_t first, std::size_t n) {
+// The rotation of the increment turns the fabric.
+HWY_INLINE void StorePoints(const Rows& state, const Points& p) {
+    const V v[4] = {hn::Mul(p.volume, p.determinant),
+                    hn::Sub(hn::Mul(p.fabric_re, p.cos2), hn::Mul(p.fabric_im, p.sin2)),
+                    hn::Add(hn::Mul(p.fabric_re, p.sin2), hn::Mul(p.fabric_im, p.cos2)), p.p0};
+    state.set4(0, v);
+}
+
+using MemberColumns = V[3 + 2 * max_elements + 4];
+
+HWY_INLINE MemberPoints FetchMember(const Rows& state, const StateLayout& layout, std::size_t index) {
+    MemberColumns v;
+    const std::size_t n = layout.elements;
+    for (std::size_t c = 0; c < layout.member_size(); c += 4) state.get4(layout.member(index) + c, v + c);
     MemberPoints m;
-    m.p = state.get(first), m.gamma = state.get(first + 1), m.strength_scale = state.get(first + 2);
-    for (std::size_t k = 0; k < n; ++k) {
-        m.re[k] = state.get(first + 3 + k);
-        m.im[k] = state.get(first + 3 + n + k);
-    }
+    m.p = v[0], m.gamma = v[1], m.strength_scale = v[2];
+    for (std::size_t k = 0; k < n; ++k) m.re[k] = v[3 + k], m.im[k] = v[3 + n + k];
     return m;
 }
 
-// The rotation of the increment turns the deviators; the strength scale stays as it is.
-HWY_INLINE void StoreMember(const Rows& state, std::size_t first, std::size_t n, const Points& points,
-                            MemberPoints& m) {
-    state.set(first, m.p);
-    state.set(first + 1, m.gamma);
+HWY_INLINE void StoreMember(const Rows& state, const StateLayout& layout, std::size_t index,
+                            const MemberPoints& m) {
+    MemberColumns v;
+    const std::size_t n = layout.elements;
+    v[0] = m.p, v[1] = m.gamma, v[2] = m.strength_scale;
+    for (std::size_t k = 0; k < n; ++k) v[3 + k] = m.re[k], v[3 + n + k] = m.im[k];
+    for (std::size_t c = 3 + 2 * n; c < layout.member_size(); ++c) v[c] = Set(0);
+    for (std::size_t c = 0; c < layout.member_size(); c += 4) state.set4(layout.member(index) + c, v + c);
+}
+
+// The rotation of the increment turns the deviators.
+HWY_INLINE void Turn(const Points& points, std::size_t n, MemberPoints& m) {
     for (std::size_t k = 0; k < n; ++k) {
         const V re = m.re[k], im = m.im[k];
         m.re[k] = hn::Sub(hn::Mul(re, points.cos2), hn::Mul(im, points.sin2));
         m.im[k] = hn::Add(hn::Mul(re, points.sin2), hn::Mul(im, points.cos2));
-        state.set(first + 3 + k, m.re[k]);
-        state.set(first + 3 + n + k, m.im[k]);
     }
-}
-
-HWY_INLINE void StorePoints(const Rows& state, const Points& p) {
-    state.set(StateLayout::volume, hn::Mul(p.volume, p.determinant));
-    state.set(StateLayout::fabric, hn::Sub(hn::Mul(p.fabric_re, p.cos2), hn::Mul(p.fabric_im, p.sin2)));
-    state.set(StateLayout::fabric + 1, hn::Add(hn::Mul(p.fabric_re, p.sin2), hn::Mul(p.fabric_im, p.cos2)));
 }
 
 // Members' stresses -> mean, spread; as answer_of in point_update.cpp.
@@ -130,36 +159,40 @@ HWY_INLINE void StoreAnswers(const MemberStress& s, std::size_t members, V dista
 }
 
 // Up to one vector of points.
-HWY_INLINE void ServeBlock(const Model& model, const Rows& state, const Rows& F,
+HWY_INLINE void ServeBlock(const KernelModel& kernel, const Rows& state, const Rows& F,
                            std::span<stress::SurrogateAnswer> answers) {
-    const StateLayout layout{model.elements, model.members.size()};
+    const StateLayout& layout = kernel.layout;
+    state.fetch();
+    F.fetch();
     Points points = Fetch(state);
-    SetStrain(F, model.substep, points);
+    SetStrain(F, kernel.model.substep, points);
     MemberStress stresses;
     V distance = Set(0);
     for (std::size_t m = 0; m < layout.members; ++m) {
-        MemberPoints member = FetchMember(state, layout.member(m), layout.elements);
-        distance = hn::Max(distance, UpdateMember(model, model.members[m], points, member));
-        StoreMember(state, layout.member(m), layout.elements, points, member);
+        MemberPoints member = FetchMember(state, layout, m);
+        distance = hn::Max(distance, UpdateMember(kernel, m, points, member));
+        Turn(points, layout.elements, member);
+        StoreMember(state, layout, m, member);
         stresses.p[m] = member.p;
         stresses.re[m] = SumOf(member.re, layout.elements);
         stresses.im[m] = SumOf(member.im, layout.elements);
     }
     StorePoints(state, points);
+    state.store();
     // An increment that is no number says so.
     distance = hn::Add(distance, hn::Mul(Set(0), points.determinant));
     StoreAnswers(stresses, layout.members, distance, answers);
 }
 
-void Serve(const Model& model, std::span<const std::int32_t> points, std::span<const Mat2> F_inc,
+void Serve(const KernelModel& kernel, std::span<const std::int32_t> points, std::span<const Mat2> F_inc,
            std::span<double> states, std::span<stress::SurrogateAnswer> answers) {
-    const StateLayout layout{model.elements, model.members.size()};
     double* increments = const_cast<double*>(F_inc.front().data());  // Rows only reads them
+    HWY_ALIGN double stage[max_state * 8], increment_stage[4 * 8];
     const std::size_t lanes = hn::Lanes(D());
     for (std::size_t i = 0; i < points.size(); i += lanes) {
-        const auto block = points.subspan(i, std::min(lanes, points.size() - i));
-        ServeBlock(model, RowsOf(states.data(), layout.size(), block), RowsOf(increments, 4, block),
-                   answers.subspan(i, block.size()));
+        const std::size_t count = std::min(lanes, points.size() - i);
+        ServeBlock(kernel, {states.data(), kernel.layout.size(), count, &points[i], stage},
+                   {increments, 4, count, &points[i], increment_stage}, answers.subspan(i, count));
     }
 }
 

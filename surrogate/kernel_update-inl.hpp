@@ -39,18 +39,22 @@ HWY_INLINE V SumOf(const V* v, std::size_t n) {
     return sum;
 }
 
+inline constexpr double log_unit = 9.210340371976184;  // ln 10^4
+
 // Clamped features; returns their largest distance from the trained range.
-HWY_INLINE V FeaturesOf(const Model& model, const Points& points, const MemberPoints& m, V volume, V* x) {
+HWY_INLINE V FeaturesOf(const KernelModel& kernel, const Points& points, const MemberPoints& m, V volume,
+                        V log_p, V* x) {
+    const Model& model = kernel.model;
     const V re = SumOf(m.re, model.elements), im = SumOf(m.im, model.elements),
             inverse = hn::Div(Set(1), m.p);
     const V e = hn::Sub(hn::Mul(hn::Add(points.e0, Set(1)), volume), Set(1));
     const V s2 = hn::MulAdd(re, re, hn::Mul(im, im));
     const V along = hn::MulAdd(points.fabric_re, re, hn::Mul(points.fabric_im, im));
-    x[0] = hn::Mul(Set(1 / 3.0), hn::Sub(Log(m.p), Set(std::log(1e4))));
+    x[0] = hn::Mul(Set(1 / 3.0), hn::Sub(log_p, Set(log_unit)));
     x[1] = hn::Mul(hn::Sub(e, Set(0.22)), Set(1 / 0.04));
     x[2] = hn::Mul(hn::Sqrt(hn::MulAdd(s2, hn::Mul(inverse, inverse), Set(1e-4))), Set(1 / 0.4));
     x[3] = hn::Mul(Log(hn::MulAdd(m.gamma, Set(1e3), Set(1))), Set(1 / 3.0));
-    x[4] = hn::Mul(Set(1 / 3.0), hn::Sub(points.log_p0, Set(std::log(1e4))));
+    x[4] = hn::Mul(Set(1 / 3.0), hn::Sub(points.log_p0, Set(log_unit)));
     x[5] = hn::Mul(hn::Sub(points.e0, Set(0.22)), Set(1 / 0.04));
     x[6] = hn::Mul(hn::Sub(points.coordination, Set(3.5)), Set(1 / 0.5));
     x[7] = hn::Mul(hn::Sub(points.strength, Set(0.5)), Set(1 / 0.1));
@@ -59,42 +63,47 @@ HWY_INLINE V FeaturesOf(const Model& model, const Points& points, const MemberPo
     for (std::size_t i = 0; i < feature_count; ++i) {
         const FeatureRange& range = model.ranges[i];
         const V inside = hn::Clamp(x[i], Set(range.low), Set(range.high));
-        distance =
-            hn::Max(distance, hn::Mul(hn::Abs(hn::Sub(x[i], inside)), Set(1 / (range.high - range.low))));
+        distance = hn::Max(distance, hn::Mul(hn::Abs(hn::Sub(x[i], inside)), Set(kernel.inverse_width[i])));
         x[i] = inside;
     }
     return distance;
 }
 
-// The network's word on the coefficients at this state. Returns the distance from the trained range.
-HWY_INLINE V RatesOf(const Model& model, const Member& member, const Points& points, const MemberPoints& m,
-                     V volume, Rates& rates) {
-    V x[max_width], o[max_width];
+// G_k, r_k and D_k from the outputs `o`; coefficients() of coefficients.cpp.
+HWY_INLINE void ElementRates(const KernelModel& kernel, std::size_t index, V G, V scale,
+                             const V* HWY_RESTRICT o, Rates& rates) {
+    const Model& model = kernel.model;
+    const Member& member = model.members[index];
     const std::size_t n = model.elements;
-    const V distance = FeaturesOf(model, points, m, volume, x);
+    for (std::size_t k = 0; k < n; ++k) {
+        const V share = Set(member.share[k]);
+        rates.shear[k] = hn::Mul(hn::Mul(G, share), BoundedFactor(o[k], Set(model.bounds.shear)));
+        rates.half_compliance[k] = hn::Div(Set(0.5), rates.shear[k]);
+        const V limit = model.frictional ? hn::Mul(Set(member.strength[k]),
+                                                   BoundedFactor(o[n + k], Set(model.bounds.strength)))
+                                         : Set(never_slips * member.share[k]);
+        rates.strength[k] = hn::Mul(scale, limit);
+        const V dilatancy = hn::Mul(share, Tanh(hn::Add(Set(member.dilatancy[k]), o[2 * n + k])));
+        rates.dilatancy[k] = hn::Min(dilatancy, hn::Add(rates.strength[k], rates.strength[k]));
+    }
+}
+
+// The network's word on the coefficients at this state. Returns the distance from the trained range.
+HWY_INLINE V RatesOf(const KernelModel& kernel, std::size_t index, const Points& points,
+                     const MemberPoints& m, V volume, Rates& rates) {
+    V x[max_width], o[max_width];
+    const Member& member = kernel.model.members[index];
+    const std::size_t n = kernel.model.elements;
+    const V log_p = Log(m.p);
+    const V distance = FeaturesOf(kernel, points, m, volume, log_p, x);
     if (member.layers.empty())
         for (std::size_t i = 0; i < 3 * n + 1; ++i) o[i] = Set(0);
     else
-        Forward(member.layers, x, o);
-    const V stiffening = Exp(hn::Mul(Set(member.exponent), hn::Sub(Log(m.p), points.log_p0)));
-    const V G = hn::Mul(points.G0, stiffening);
-    const Fraction bulk = BoundedFactor(o[3 * n], Set(model.bounds.bulk));
-    rates.bulk =
-        hn::Mul(hn::Mul(points.K0, stiffening), hn::Div(hn::Mul(Set(member.bulk), bulk.over), bulk.under));
-    for (std::size_t k = 0; k < n; ++k) {
-        const Fraction stiff = BoundedFactor(o[k], Set(model.bounds.shear));
-        rates.shear[k] = hn::Mul(hn::Mul(G, Set(member.share[k])), hn::Div(stiff.over, stiff.under));
-        rates.half_compliance[k] = hn::Div(Set(0.5), rates.shear[k]);
-        V limit = Set(never_slips * member.share[k]);
-        if (model.frictional) {
-            const Fraction strong = BoundedFactor(o[n + k], Set(model.bounds.strength));
-            limit = hn::Div(hn::Mul(Set(member.strength[k]), strong.over), strong.under);
-        }
-        rates.strength[k] = hn::Mul(m.strength_scale, limit);
-        const V dilatancy =
-            hn::Mul(Set(member.share[k]), Tanh(hn::Add(Set(member.dilatancy[k]), o[2 * n + k])));
-        rates.dilatancy[k] = hn::Min(dilatancy, hn::Add(rates.strength[k], rates.strength[k]));
-    }
+        Forward(kernel.layers[index], x, o);
+    const V stiffening = Exp(hn::Mul(Set(member.exponent), hn::Sub(log_p, points.log_p0)));
+    const V bulk = hn::Mul(Set(member.bulk), BoundedFactor(o[3 * n], Set(kernel.model.bounds.bulk)));
+    rates.bulk = hn::Mul(hn::Mul(points.K0, stiffening), bulk);
+    ElementRates(kernel, index, hn::Mul(points.G0, stiffening), m.strength_scale, o, rates);
     return distance;
 }
 
@@ -156,8 +165,10 @@ HWY_INLINE void Select(M mask, std::size_t n, const MemberPoints& yes, MemberPoi
 }
 
 // update_member of point_update.cpp; a point with fewer substeps than its neighbours waits for them.
-HWY_INLINE V UpdateMember(const Model& model, const Member& member, const Points& points,
+HWY_INLINE V UpdateMember(const KernelModel& kernel, std::size_t index, const Points& points,
                           MemberPoints& state) {
+    const Model& model = kernel.model;
+    const Member& member = model.members[index];
     const V step = hn::Div(Set(1), points.substeps), half = hn::Mul(Set(0.5), step);
     const V growth = hn::Mul(hn::Sub(points.determinant, Set(1)), step);
     const auto volume = [&](double i) { return hn::Mul(points.volume, hn::MulAdd(growth, Set(i), Set(1))); };
@@ -165,9 +176,9 @@ HWY_INLINE V UpdateMember(const Model& model, const Member& member, const Points
     for (int i = 0; i < points.most_substeps; ++i) {
         Rates rates;
         MemberPoints next;
-        RatesOf(model, member, points, state, volume(i), rates);
+        RatesOf(kernel, index, points, state, volume(i), rates);
         ReturnMap(model, member, points, rates, half, state, next);
-        const V here = RatesOf(model, member, points, next, volume(i + 0.5), rates);
+        const V here = RatesOf(kernel, index, points, next, volume(i + 0.5), rates);
         ReturnMap(model, member, points, rates, step, state, next);
         const M active = hn::Lt(Set(i), points.substeps);
         Select(active, model.elements, next, state);

@@ -1,5 +1,6 @@
 #pragma once
-#include "surrogate/reference.hpp"
+#include "stress/surrogate.hpp"
+#include "surrogate/kernel_model.hpp"
 
 namespace sandgraph::surrogate {
 
@@ -7,7 +8,7 @@ namespace sandgraph::surrogate {
 class Serving final : public stress::Surrogate {
   public:
     explicit Serving(Model model);
-    std::size_t state_size() const override { return layout_.size(); }
+    std::size_t state_size() const override { return kernel_.layout.size(); }
     void start(const stress::PackingTraits& traits, const Stress& initial,
                std::span<double> state) const override;
     void update(std::span<const std::int32_t> points, std::span<const Mat2> F_inc, std::span<double> states,
@@ -15,8 +16,7 @@ class Serving final : public stress::Surrogate {
     stress::Tangent tangent(std::span<const double> state, const Eigen::Vector3d& strain) const override;
 
   private:
-    Model model_;
-    StateLayout layout_;
+    KernelModel kernel_;
 };
 
 }  // namespace sandgraph::surrogate

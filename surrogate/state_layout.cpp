@@ -33,6 +33,7 @@ PointState unpack(const StateLayout& layout, std::span<const double> v) {
 }
 
 void pack(const StateLayout& layout, const PointState& point, std::span<double> v) {
+    std::fill(v.begin(), v.end(), 0.0);
     v[layout.volume] = point.volume;
     v[layout.fabric] = point.fabric.real();
     v[layout.fabric + 1] = point.fabric.imag();

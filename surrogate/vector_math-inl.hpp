@@ -14,13 +14,14 @@ namespace sandgraph::surrogate::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<double, 8>;
+using D4 = hn::CappedTag<double, 4>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
 HWY_INLINE V Set(double x) { return hn::Set(D(), x); }
 
 struct Fraction {
-    V over, under;  // both positive
+    V over, under;  // under > 0
 };
 
 // exp(x) = over/under for |x| <= 600, relative error below 1e-16 (3 + |x|). With x = k ln 2 + r it is
@@ -55,10 +56,10 @@ HWY_INLINE V Tanh(V x) {
     return hn::Div(hn::Sub(e.over, e.under), hn::Add(e.over, e.under));
 }
 
-// bounded_factor(o, b) as a fraction; the relative error is that of the exponential.
-HWY_INLINE Fraction BoundedFactor(V o, V b) {
+// bounded_factor(o, b), relative error below 1e-15.
+HWY_INLINE V BoundedFactor(V o, V b) {
     const Fraction e = ExpFraction(hn::Clamp(o, Set(-40), Set(40)));
-    return {hn::MulAdd(b, e.over, e.under), hn::MulAdd(b, e.under, e.over)};
+    return hn::Div(hn::MulAdd(b, e.over, e.under), hn::MulAdd(b, e.under, e.over));
 }
 
 HWY_INLINE V Log(V x) { return hn::Log(D(), x); }
