@@ -8,7 +8,7 @@
 namespace sandgraph::app {
 
 void add_info_command(CLI::App& app, int&) {
-    CLI::App* info = app.add_subcommand("info", "what is in a run, log, packing or checkpoint file");
+    CLI::App* info = app.add_subcommand("info", "what is in a run, log, packing, model or checkpoint file");
     auto file = std::make_shared<std::string>();
     info->add_option("file", *file, "an HDF5 file")->required();
     info->callback([file] { fmt::print("{}", io::info(*file)); });

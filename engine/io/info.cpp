@@ -65,10 +65,11 @@ std::string info(const std::filesystem::path& path) {
     const std::string content =
         h5::has_attribute(root, ".", "content") ? h5::get_text(root, ".", "content") : "";
     if (content == "history") text += history_overview(read_history(path));
-    if (content == "checkpoint") {
+    if (content == "checkpoint" || content == "surrogate") {
         if (const auto problem = broken_seal(path))
-            throw InputError({path.string()}, "the checkpoint is damaged", *problem,
-                             "use the one before it, *.prev");
+            throw InputError(
+                {path.string()}, fmt::format("the {} is damaged", content), *problem,
+                content == "surrogate" ? "copy or train it again" : "use the one before it, *.prev");
         text += "  checksum verified\n";
     }
     return text + tree(root, "  ");

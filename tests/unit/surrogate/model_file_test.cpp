@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "io/info.hpp"
 #include "surrogate/check_model.hpp"
 #include "surrogate/load_surrogate.hpp"
 #include "surrogate/self_test.hpp"
@@ -68,6 +69,17 @@ TEST_F(ModelFile, EveryRungIsServed) {
     EXPECT_GT(mean_stress(s), mean_stress(support::rest_stress()));
     EXPECT_NO_THROW(load_surrogate(written(support::random_model(1, {4, 8, 0, 0}))));
     EXPECT_NO_THROW(load_surrogate(written(support::random_model(1, {5, 8, 16, 3}))));
+}
+
+TEST_F(ModelFile, InfoDescribesAndVerifiesIt) {
+    const fs::path path = written(support::random_model(1));
+    const std::string text = io::info(path);
+    for (const char* word : {"checksum verified", "content = \"surrogate\"", "feature_version", "member_3/",
+                             "float64 (16 x 9)", "random weights, for tests"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+    std::string bad = bytes(path);
+    bad[bad.size() / 2] ^= 1;
+    EXPECT_NE(refusal([&] { io::info(with_bytes(bad)); }), "");
 }
 
 TEST_F(ModelFile, AnyFlippedByteIsRefused) {
