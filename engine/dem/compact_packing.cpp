@@ -12,7 +12,7 @@ namespace {
 std::shared_ptr<const GrainSet> grain_set(const FastState& s) {
     auto set = std::make_shared<GrainSet>();
     for (int g = 0; g < s.grains; ++g) {
-        const double r = s.b[4 * g];
+        const double r = s.grain(g)[4];
         set->radius.push_back(r);
         set->inverse_mass.push_back(s.inverse_mass[g]);
         set->inverse_inertia.push_back(s.inverse_inertia[g]);
@@ -28,11 +28,9 @@ void unpack_grains(const CompactPacking& p, FastState& s) {
     const int n = static_cast<int>(set.radius.size());
     if (s.grains != n) resize_grains(s, n);
     for (int g = 0; g < n; ++g) {
-        const double *x = &p.position[2 * g], r = set.radius[g];
+        const double* x = &p.position[2 * g];
         const float* v = &p.velocity[3 * g];
-        double *a = &s.a[4 * g], *b = &s.b[4 * g];
-        a[0] = x[0], a[1] = x[1], a[2] = v[0], a[3] = v[1];
-        b[0] = b[3] = r, b[1] = r * v[2], b[2] = v[2];
+        set_grain(s.grain(g), x[0], x[1], v[0], v[1], set.radius[g], v[2]);
     }
     std::copy(set.inverse_mass.begin(), set.inverse_mass.end(), s.inverse_mass.begin());
     std::copy(set.inverse_inertia.begin(), set.inverse_inertia.end(), s.inverse_inertia.begin());
@@ -63,7 +61,7 @@ std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Mate
 
 void unpack(const CompactPacking& p, FastState& s) {
     unpack_grains(p, s);
-    s.pairs = p.pairs, s.slots = static_cast<int>(p.i.size());
+    s.pairs = p.pairs, s.slots = static_cast<int>(p.i.size()), s.inner = p.inner;
     s.i.assign(p.i.begin(), p.i.end()), s.j.assign(p.j.begin(), p.j.end());
     s.image.assign(p.image.begin(), p.image.end());
     s.tangential.assign(p.tangential.begin(), p.tangential.end());
@@ -75,17 +73,17 @@ void pack(const FastState& s, CompactPacking& p) {
     p.position.resize(2 * s.grains);
     p.velocity.resize(3 * s.grains);
     for (int g = 0; g < s.grains; ++g) {
-        const double* a = &s.a[4 * g];
+        const double* a = s.grain(g);
         double* x = &p.position[2 * g];
         float* v = &p.velocity[3 * g];
         x[0] = a[0], x[1] = a[1];
-        v[0] = float(a[2]), v[1] = float(a[3]), v[2] = float(s.b[4 * g + 2]);
+        v[0] = float(a[2]), v[1] = float(a[3]), v[2] = float(a[6]);
     }
     p.i.assign(s.i.begin(), s.i.end()), p.j.assign(s.j.begin(), s.j.end());
     p.image.assign(s.image.begin(), s.image.end());
     p.tangential.assign(s.tangential.begin(), s.tangential.end());
     p.moment.assign(s.moment.begin(), s.moment.end());
-    p.pairs = s.pairs;
+    p.pairs = s.pairs, p.inner = s.inner;
     p.H = s.H, p.L = s.L, p.H_force = s.H_force, p.LH = s.LH, p.approach = s.approach;
 }
 

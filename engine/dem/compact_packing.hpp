@@ -26,7 +26,7 @@ struct CompactPacking {
     std::vector<std::uint16_t> i, j;        // [slots] pairs, in the order of the pair loop
     std::vector<std::uint8_t> image;        // [slots]
     std::vector<float> tangential, moment;  // [slots]
-    int pairs = 0;
+    int pairs = 0, inner = 0;
     Mat2 H, L, H_force, LH;
     double approach = 0;
     Mat2 stress = Mat2::Zero();  // of the last force evaluation [Pa], compression positive, packing frame

@@ -28,6 +28,52 @@ HWY_INLINE V Damped(V a, V w, V half_dt, V alpha) {
     return hn::NegMulAdd(a, hn::CopySign(alpha, power), a);
 }
 
+#if HWY_MAX_BYTES == 64
+
+// Eight records.
+HWY_INLINE void LoadGrains(const double* records, V& x, V& y, V& vx, V& vy, V& r, V& w) {
+    V row[8], column[8];
+    for (int k = 0; k < 8; ++k) row[k] = hn::Load(D(), records + kRecord * k);
+    Transpose(row, column);
+    x = column[0], y = column[1], vx = column[2], vy = column[3], r = column[4], w = column[6];
+}
+HWY_INLINE void StoreGrains(V x, V y, V vx, V vy, V r, V w, double* records) {
+    const V column[8] = {x, y, vx, vy, r, hn::Mul(r, w), w, r};
+    V row[8];
+    Transpose(column, row);
+    for (int k = 0; k < 8; ++k) hn::Store(row[k], D(), records + kRecord * k);
+}
+
+#else
+
+HWY_INLINE void LoadGrains(const double* records, V& x, V& y, V& vx, V& vy, V& r, V& w) {
+    alignas(64) double a[4 * 8], b[4 * 8];
+    const D d;
+    const D4 d4;
+    for (std::size_t g = 0; g < hn::Lanes(d); ++g)
+        for (std::size_t k = 0; k < 4; k += hn::Lanes(d4)) {
+            hn::Store(hn::Load(d4, records + kRecord * g + k), d4, a + 4 * g + k);
+            hn::Store(hn::Load(d4, records + kRecord * g + 4 + k), d4, b + 4 * g + k);
+        }
+    V rw, r2;
+    hn::LoadInterleaved4(d, a, x, y, vx, vy);
+    hn::LoadInterleaved4(d, b, r, rw, w, r2);
+}
+HWY_INLINE void StoreGrains(V x, V y, V vx, V vy, V r, V w, double* records) {
+    alignas(64) double a[4 * 8], b[4 * 8];
+    const D d;
+    const D4 d4;
+    hn::StoreInterleaved4(x, y, vx, vy, d, a);
+    hn::StoreInterleaved4(r, hn::Mul(r, w), w, r, d, b);
+    for (std::size_t g = 0; g < hn::Lanes(d); ++g)
+        for (std::size_t k = 0; k < 4; k += hn::Lanes(d4)) {
+            hn::Store(hn::Load(d4, a + 4 * g + k), d4, records + kRecord * g + k);
+            hn::Store(hn::Load(d4, b + 4 * g + k), d4, records + kRecord * g + 4 + k);
+        }
+}
+
+#endif
+
 // `kKick`: velocities from forces; `kDrift`: jump to the new gradient and move. Returns max |v - L x|^2.
 template <bool kKick, bool kDrift>
 HWY_INLINE double MotionLoop(FastState& s, double damping, const Mat2& L_new, double dt) {
@@ -37,9 +83,8 @@ HWY_INLINE double MotionLoop(FastState& s, double damping, const Mat2& L_new, do
     const V step = hn::Set(d, dt), half_dt = hn::Set(d, 0.5 * dt), alpha = hn::Set(d, damping);
     V largest = hn::Zero(d);
     for (int g = 0; g < s.grains; g += static_cast<int>(hn::Lanes(d))) {
-        V x, y, vx, vy, r, rw, w, r2;
-        hn::LoadInterleaved4(d, &s.a[4 * g], x, y, vx, vy);
-        hn::LoadInterleaved4(d, &s.b[4 * g], r, rw, w, r2);
+        V x, y, vx, vy, r, w;
+        LoadGrains(s.grain(g), x, y, vx, vy, r, w);
         if constexpr (kKick) {
             V fx, fy, ti, tj;
             hn::LoadInterleaved4(d, &s.force[4 * g], fx, fy, ti, tj);
@@ -63,8 +108,7 @@ HWY_INLINE double MotionLoop(FastState& s, double damping, const Mat2& L_new, do
             x = hn::MulAdd(step, vx, x);
             y = hn::MulAdd(step, vy, y);
         }
-        hn::StoreInterleaved4(x, y, vx, vy, d, &s.a[4 * g]);
-        hn::StoreInterleaved4(r, hn::Mul(r, w), w, r, d, &s.b[4 * g]);
+        StoreGrains(x, y, vx, vy, r, w, s.grain(g));
     }
     return hn::GetLane(hn::MaxOfLanes(d, largest));
 }

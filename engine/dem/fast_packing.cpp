@@ -12,11 +12,8 @@ constexpr int kLargest = 65000;  // pairs address grains with 16 bits
 void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
     const double mass = m.density * m.depth * std::numbers::pi * p.r[g] * p.r[g];
     const double spin = p.spin.empty() ? 0 : p.spin[g];
-    double* a = &s.a[4 * g];
-    a[0] = p.x[g], a[1] = p.y[g];
-    a[2] = p.vx.empty() ? 0 : p.vx[g], a[3] = p.vy.empty() ? 0 : p.vy[g];
-    double* b = &s.b[4 * g];
-    b[0] = b[3] = p.r[g], b[1] = p.r[g] * spin, b[2] = spin;
+    const double vx = p.vx.empty() ? 0 : p.vx[g], vy = p.vy.empty() ? 0 : p.vy[g];
+    set_grain(s.grain(g), p.x[g], p.y[g], vx, vy, p.r[g], spin);
     s.inverse_mass[g] = 1 / mass;
     s.inverse_inertia[g] = 2 / (mass * p.r[g] * p.r[g]);
 }
@@ -26,16 +23,12 @@ void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
 void resize_grains(FastState& s, int n) {
     const int room = padded(n + 2);
     s.grains = n;
-    s.a.assign(4 * room, 0), s.b.assign(4 * room, 0), s.force.assign(4 * room, 0);
+    s.record.assign(FastState::kRecord * room, 0), s.force.assign(4 * room, 0);
     s.inverse_mass.assign(room, 0), s.inverse_inertia.assign(room, 0);
 }
 
 void place_padding_grains(FastState& s) {
-    for (int k = 0; k < 2; ++k) {
-        double *a = &s.a[4 * (s.grains + k)], *b = &s.b[4 * (s.grains + k)];
-        a[0] = k, a[1] = a[2] = a[3] = 0;
-        b[0] = b[3] = 1e-3, b[1] = b[2] = 0;
-    }
+    for (int k = 0; k < 2; ++k) set_grain(s.grain(s.grains + k), k, 0, 0, 0, 1e-3, 0);
 }
 
 void load(const Packing& p, const Material& material, FastState& s) {
@@ -46,7 +39,7 @@ void load(const Packing& p, const Material& material, FastState& s) {
     s.radius_max = n > 0 ? *std::max_element(p.r.begin(), p.r.end()) : 0;
     place_padding_grains(s);
     s.H = s.H_force = p.H, s.L = p.L, s.LH = p.L * p.H;
-    s.pairs = s.slots = 0;
+    s.pairs = s.slots = s.inner = 0;
 }
 
 void contact_history(const FastState& s, std::vector<Contact>& out) {
@@ -62,9 +55,10 @@ Packing unload(const FastState& s) {
     Packing p;
     p.H = s.H, p.L = s.L;
     for (int g = 0; g < s.grains; ++g) {
-        p.x.push_back(s.a[4 * g]), p.y.push_back(s.a[4 * g + 1]);
-        p.vx.push_back(s.a[4 * g + 2]), p.vy.push_back(s.a[4 * g + 3]);
-        p.r.push_back(s.b[4 * g]), p.spin.push_back(s.b[4 * g + 2]);
+        const double* a = s.grain(g);
+        p.x.push_back(a[0]), p.y.push_back(a[1]);
+        p.vx.push_back(a[2]), p.vy.push_back(a[3]);
+        p.r.push_back(a[4]), p.spin.push_back(a[6]);
     }
     contact_history(s, p.contacts);
     return p;

@@ -21,6 +21,11 @@ Packing unload(const FastState& state);
 void resize_grains(FastState& state, int n);
 void place_padding_grains(FastState& state);
 
+inline void set_grain(double* record, double x, double y, double vx, double vy, double r, double spin) {
+    record[0] = x, record[1] = y, record[2] = vx, record[3] = vy;
+    record[4] = record[7] = r, record[5] = r * spin, record[6] = spin;
+}
+
 constexpr int padded(int n) { return (n + FastState::kLanes - 1) / FastState::kLanes * FastState::kLanes; }
 
 }  // namespace sandgraph::dem

@@ -8,19 +8,24 @@
 
 namespace sandgraph::dem {
 
-// Working state of the fast kernel for one packing. Grains are kept as two records of four, so that a pair
-// costs four loads and one subtraction of whole records: A = (x, y, vx, vy), B = (r, r w, w, r).
+// Working state of the fast kernel for one packing. A grain is one record (x, y, vx, vy, r, r w, w, r), a cache
+// line, so that a pair costs two loads and one subtraction of whole records.
 struct FastState {
-    static constexpr int kLanes = 8;  // arrays are padded to this many grains or pairs
+    static constexpr int kLanes = 8;   // arrays are padded to this many grains or pairs
+    static constexpr int kRecord = 8;  // numbers a grain
 
     double radius_max = 0;                          // [m]
     int grains = 0;                                 // N
-    Aligned<double> a, b;                           // [4 (N + pad)]
+    Aligned<double> record;                         // [8 (N + pad)]
     Aligned<double> inverse_mass, inverse_inertia;  // [N + pad]; padding grains have 0
     Aligned<double> force;                          // [4 (N + pad)]: fx, fy, and the torque in two parts
 
+    double* grain(int g) { return &record[std::size_t{kRecord} * g]; }
+    const double* grain(int g) const { return &record[std::size_t{kRecord} * g]; }
+
     int pairs = 0;                       // near pairs, padded to a multiple of kLanes
     int slots = 0;                       // padded number of pairs
+    int inner = 0;                       // the first slots, whole lanes: pairs within the cell (image 4)
     Aligned<std::uint16_t> i, j;         // [slots]
     Aligned<std::uint8_t> image;         // [slots] 3 (cell_x + 1) + (cell_y + 1)
     Aligned<double> tangential, moment;  // [slots] contact history [N], [N m]

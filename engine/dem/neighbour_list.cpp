@@ -21,7 +21,7 @@ void wrap_grains(FastState& s, std::vector<Wrapped>& moved) {
     const Mat2 inverse = s.H.inverse(), LH = s.L * s.H;
     moved.resize(s.grains);
     for (int g = 0; g < s.grains; ++g) {
-        double* a = &s.a[4 * g];
+        double* a = s.grain(g);
         moved[g] = wrap(s.H, inverse, a[0], a[1]);
         a[2] -= LH(0, 0) * moved[g].cx + LH(0, 1) * moved[g].cy;
         a[3] -= LH(1, 0) * moved[g].cx + LH(1, 1) * moved[g].cy;
@@ -46,7 +46,7 @@ void NeighbourList::relist(FastState& s, const std::vector<Contact>& history) {
     if (!r.identity) reduce(s, r);
     wrap_grains(s, moved_);
     collect(s, history, r.U_inverse);
-    list_pairs(s, search_.find(s.a.data(), s.b.data(), s.grains, s.H, gap_));
+    list_pairs(s, search_.find(s.record.data(), s.grains, s.H, gap_));
     place_padding_grains(s);  // the vector loops over grains may have touched them
     s.approach = 0;
 }
@@ -79,17 +79,29 @@ const Contact* NeighbourList::find(const NearPair& p) const {
     return nullptr;
 }
 
-// Consecutive pairs of the search share grains; dealing them out lane by lane keeps a grain's pairs apart in
-// the pair loop, whose read-modify-write would otherwise wait on itself.
+// Pairs within the cell fill the first `inner` slots, so that most of the loop needs no image offsets; what
+// does not fill the last lanes goes with the others.
 void NeighbourList::list_pairs(FastState& s, const std::vector<NearPair>& pairs) {
     s.pairs = static_cast<int>(pairs.size());
     s.slots = padded(s.pairs);
     s.i.resize(s.slots), s.j.resize(s.slots), s.image.resize(s.slots);
     s.tangential.assign(s.slots, 0), s.moment.assign(s.slots, 0);
-    const int stride = s.slots / FastState::kLanes;
-    for (int k = 0; k < s.slots; ++k) {
-        const int slot = (k % stride) * FastState::kLanes + k / stride;
-        if (k >= s.pairs) {
+    inner_.clear(), outer_.clear();
+    for (const NearPair& p : pairs) (p.cell_x == 0 && p.cell_y == 0 ? inner_ : outer_).push_back(p);
+    s.inner = static_cast<int>(inner_.size()) / FastState::kLanes * FastState::kLanes;
+    outer_.insert(outer_.end(), inner_.begin() + s.inner, inner_.end());
+    inner_.resize(s.inner);
+    deal(s, inner_, 0, s.inner);
+    deal(s, outer_, s.inner, s.slots - s.inner);
+}
+
+// Consecutive pairs of the search share grains; dealing them out lane by lane keeps a grain's pairs apart in
+// the pair loop, whose read-modify-write would otherwise wait on itself.
+void NeighbourList::deal(FastState& s, const std::vector<NearPair>& pairs, int first, int slots) {
+    const int stride = slots / FastState::kLanes;
+    for (int k = 0; k < slots; ++k) {
+        const int slot = first + (k % stride) * FastState::kLanes + k / stride;
+        if (k >= static_cast<int>(pairs.size())) {
             pad(s, slot);
             continue;
         }

@@ -29,12 +29,14 @@ class NeighbourList {
     void collect(const FastState& state, const std::vector<Contact>& history,
                  const Eigen::Matrix2i& U_inverse);
     void list_pairs(FastState& state, const std::vector<NearPair>& pairs);
+    void deal(FastState& state, const std::vector<NearPair>& pairs, int first, int slots);
     const Contact* find(const NearPair& pair) const;
 
     double gap_;
     NeighbourSearch search_;
     std::vector<Contact> history_, old_;  // old_: by first grain, image counters in the new cell
     std::vector<int> first_;              // [N + 1] start of each grain's contacts in old_
+    std::vector<NearPair> inner_, outer_;
     std::vector<Wrapped> moved_;          // [N] periods taken off each grain
 };
 

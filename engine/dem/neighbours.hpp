@@ -15,15 +15,14 @@ struct NearPair {
 // Linear-time search for near pairs in a periodic cell; reusable so that a search allocates nothing.
 class NeighbourSearch {
   public:
-    // All pairs with |x_j + H c - x_i| < r_i + r_j + gap, ordered by i. `xy` holds 4 doubles a grain (x, y
-    // first), centres wrapped into the cell; `r` likewise 4 a grain (radius first). Images c in {-1, 0, 1}^2.
-    const std::vector<NearPair>& find(const double* xy, const double* r, int grains, const Mat2& H,
-                                      double gap);
+    // All pairs with |x_j + H c - x_i| < r_i + r_j + gap, ordered by i. `grains` are records of the
+    // working state (fast_state.hpp), centres wrapped into the cell. Images c in {-1, 0, 1}^2.
+    const std::vector<NearPair>& find(const double* grains, int count, const Mat2& H, double gap);
 
   private:
-    void bin(const double* xy, int grains, const Mat2& H);
-    void pairs_of_bin(const double* xy, const double* r, const Mat2& H, double gap, int bx, int by);
-    void brute_force(const double* xy, const double* r, int grains, const Mat2& H, double gap);
+    void bin(const double* grains, int count, const Mat2& H);
+    void pairs_of_bin(const double* grains, const Mat2& H, double gap, int bx, int by);
+    void brute_force(const double* grains, int count, const Mat2& H, double gap);
 
     int nx_ = 0, ny_ = 0;
     std::vector<int> start_, member_, bin_of_;

@@ -8,7 +8,7 @@ void take(ByteReader& in, Mat2& m) { in.take(std::span<double>(m.data(), 4)); }
 
 void save_packing(const CompactPacking& p, ByteWriter& out) {
     for (const Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) put(out, *m);
-    out.put(p.approach), out.put(p.pairs);
+    out.put(p.approach), out.put(p.pairs), out.put(p.inner);
     out.put(p.position), out.put(p.velocity);
     out.put(p.i), out.put(p.j), out.put(p.image);
     out.put(p.tangential), out.put(p.moment);
@@ -16,7 +16,7 @@ void save_packing(const CompactPacking& p, ByteWriter& out) {
 
 void load_packing(CompactPacking& p, ByteReader& in) {
     for (Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) take(in, *m);
-    in.take(p.approach), in.take(p.pairs);
+    in.take(p.approach), in.take(p.pairs), in.take(p.inner);
     in.take(p.position), in.take(p.velocity);
     in.take(p.i), in.take(p.j), in.take(p.image);
     in.take(p.tangential), in.take(p.moment);

@@ -13,17 +13,16 @@ namespace {
 
 struct Cloud {
     Mat2 H;
-    std::vector<double> xy, r;
+    std::vector<double> records;  // as of FastState
     int n = 0;
 };
 
 Cloud random_cloud(std::uint64_t seed, int n, const Mat2& H) {
     Random random(seed);
-    Cloud c{H, {}, {}, n};
+    Cloud c{H, {}, n};
     for (int g = 0; g < n; ++g) {
         const Vec2 x = H * Vec2(random.uniform(), random.uniform());
-        c.xy.insert(c.xy.end(), {x.x(), x.y(), 0, 0});
-        c.r.insert(c.r.end(), {random.uniform(0.003, 0.007), 0, 0, 0});
+        c.records.insert(c.records.end(), {x.x(), x.y(), 0, 0, random.uniform(0.003, 0.007), 0, 0, 0});
     }
     return c;
 }
@@ -44,9 +43,9 @@ std::vector<Key> all_pairs(const Cloud& c, double gap) {
             for (int cx = -1; cx <= 1; ++cx)
                 for (int cy = -1; cy <= 1; ++cy) {
                     const Vec2 s = c.H * Vec2(cx, cy);
-                    const double d = std::hypot(c.xy[4 * j] + s.x() - c.xy[4 * i],
-                                                c.xy[4 * j + 1] + s.y() - c.xy[4 * i + 1]);
-                    if (d < c.r[4 * i] + c.r[4 * j] + gap) out.emplace_back(i, j, cx, cy);
+                    const double *a = &c.records[8 * i], *b = &c.records[8 * j];
+                    const double d = std::hypot(b[0] + s.x() - a[0], b[1] + s.y() - a[1]);
+                    if (d < a[4] + b[4] + gap) out.emplace_back(i, j, cx, cy);
                 }
     std::sort(out.begin(), out.end());
     return out;
@@ -60,7 +59,7 @@ TEST(NeighbourSearch, FindsWhatBruteForceFindsInAnyCell) {
                            .finished();
         const Cloud c = random_cloud(100 + trial, 150, H);
         NeighbourSearch search;
-        EXPECT_EQ(sorted(search.find(c.xy.data(), c.r.data(), c.n, H, 5e-4)), all_pairs(c, 5e-4));
+        EXPECT_EQ(sorted(search.find(c.records.data(), c.n, H, 5e-4)), all_pairs(c, 5e-4));
     }
 }
 
