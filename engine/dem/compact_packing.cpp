@@ -35,7 +35,6 @@ void unpack_grains(const CompactPacking& p, FastState& s) {
     std::copy(set.inverse_mass.begin(), set.inverse_mass.end(), s.inverse_mass.begin());
     std::copy(set.inverse_inertia.begin(), set.inverse_inertia.end(), s.inverse_inertia.begin());
     s.radius_max = set.radius_max;
-    place_padding_grains(s);
 }
 
 }  // namespace

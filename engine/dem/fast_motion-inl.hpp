@@ -74,8 +74,8 @@ HWY_INLINE void StoreGrains(V x, V y, V vx, V vy, V r, V w, double* records) {
 
 #endif
 
-// `kKick`: velocities from forces; `kDrift`: jump to the new gradient and move. Returns max |v - L x|^2.
-template <bool kKick, bool kDrift>
+// `kKick`: velocities from forces; `kJump`: to the new gradient; `kDrift`: move. Returns max |v - L x|^2.
+template <bool kKick, bool kDrift, bool kJump>
 HWY_INLINE double MotionLoop(FastState& s, double damping, const Mat2& L_new, double dt) {
     const D d;
     const Gradient L(s.L), jump(L_new - s.L), L_after(kDrift ? L_new : s.L);
@@ -97,7 +97,7 @@ HWY_INLINE double MotionLoop(FastState& s, double damping, const Mat2& L_new, do
             vy = hn::MulAdd(step, hn::Add(ay, cy), vy);
             w = hn::MulAdd(step, b, w);
         }
-        if constexpr (kDrift) {
+        if constexpr (kJump) {
             vx = hn::Add(vx, jump.x(x, y));
             vy = hn::Add(vy, jump.y(x, y));
             w = hn::Add(w, spin_jump);
@@ -114,12 +114,13 @@ HWY_INLINE double MotionLoop(FastState& s, double damping, const Mat2& L_new, do
 }
 
 double Kick(FastState& s, const KernelConstants& k, double dt) {
-    return MotionLoop<true, false>(s, k.damping, s.L, dt);
+    return MotionLoop<true, false, false>(s, k.damping, s.L, dt);
 }
 double KickDrift(FastState& s, const KernelConstants& k, const Mat2& L, double dt) {
-    return MotionLoop<true, true>(s, k.damping, L, dt);
+    return L == s.L ? MotionLoop<true, true, false>(s, k.damping, L, dt)
+                    : MotionLoop<true, true, true>(s, k.damping, L, dt);
 }
-double Drift(FastState& s, const Mat2& L, double dt) { return MotionLoop<false, true>(s, 0, L, dt); }
+double Drift(FastState& s, const Mat2& L, double dt) { return MotionLoop<false, true, true>(s, 0, L, dt); }
 
 const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
 

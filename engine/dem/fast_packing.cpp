@@ -21,14 +21,11 @@ void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
 }  // namespace
 
 void resize_grains(FastState& s, int n) {
-    const int room = padded(n + 2);
+    const int room = padded(n + 1);
     s.grains = n;
     s.record.assign(FastState::kRecord * room, 0), s.force.assign(4 * room, 0);
     s.inverse_mass.assign(room, 0), s.inverse_inertia.assign(room, 0);
-}
-
-void place_padding_grains(FastState& s) {
-    for (int k = 0; k < 2; ++k) set_grain(s.grain(s.grains + k), k, 0, 0, 0, 1e-3, 0);
+    set_grain(s.grain(n), 0, 0, 0, 0, 1e-6, 0);
 }
 
 void load(const Packing& p, const Material& material, FastState& s) {
@@ -37,7 +34,6 @@ void load(const Packing& p, const Material& material, FastState& s) {
     resize_grains(s, n);
     for (int g = 0; g < n; ++g) load_grain(p, material, g, s);
     s.radius_max = n > 0 ? *std::max_element(p.r.begin(), p.r.end()) : 0;
-    place_padding_grains(s);
     s.H = s.H_force = p.H, s.L = p.L, s.LH = p.L * p.H;
     s.pairs = s.slots = s.inner = 0;
 }

@@ -16,10 +16,9 @@ void contact_history(const FastState& state, std::vector<Contact>& out);
 // Working state -> packing.
 Packing unload(const FastState& state);
 
-// Room for n grains and the two padding grains: a metre apart, so that the pairs that fill up the last lanes
-// of the pair loop never touch.
+// Room for n grains and the padding grain of the pairs that fill up the last lanes of the pair loop: tiny, at
+// the origin, where the mean field leaves it at rest.
 void resize_grains(FastState& state, int n);
-void place_padding_grains(FastState& state);
 
 inline void set_grain(double* record, double x, double y, double vx, double vy, double r, double spin) {
     record[0] = x, record[1] = y, record[2] = vx, record[3] = vy;

@@ -8,8 +8,8 @@
 
 namespace sandgraph::dem {
 
-// Working state of the fast kernel for one packing. A grain is one record (x, y, vx, vy, r, r w, w, r), a cache
-// line, so that a pair costs two loads and one subtraction of whole records.
+// Working state of the fast kernel for one packing. A grain is one record (x, y, vx, vy, r, r w, w, r), a
+// cache line, so that a pair costs two loads and one subtraction of whole records.
 struct FastState {
     static constexpr int kLanes = 8;   // arrays are padded to this many grains or pairs
     static constexpr int kRecord = 8;  // numbers a grain

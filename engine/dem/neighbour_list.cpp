@@ -28,10 +28,10 @@ void wrap_grains(FastState& s, std::vector<Wrapped>& moved) {
     }
 }
 
-// Padding pairs join two far points that no force reaches.
+// Padding pairs join the padding grain with its far image (1, 1), which no force reaches.
 void pad(FastState& s, int slot) {
-    s.i[slot] = static_cast<std::uint16_t>(s.grains), s.j[slot] = static_cast<std::uint16_t>(s.grains + 1);
-    s.image[slot] = 4;
+    s.i[slot] = s.j[slot] = static_cast<std::uint16_t>(s.grains);
+    s.image[slot] = 8;
 }
 
 }  // namespace
@@ -47,7 +47,6 @@ void NeighbourList::relist(FastState& s, const std::vector<Contact>& history) {
     wrap_grains(s, moved_);
     collect(s, history, r.U_inverse);
     list_pairs(s, search_.find(s.record.data(), s.grains, s.H, gap_));
-    place_padding_grains(s);  // the vector loops over grains may have touched them
     s.approach = 0;
 }
 

@@ -37,7 +37,7 @@ class NeighbourList {
     std::vector<Contact> history_, old_;  // old_: by first grain, image counters in the new cell
     std::vector<int> first_;              // [N + 1] start of each grain's contacts in old_
     std::vector<NearPair> inner_, outer_;
-    std::vector<Wrapped> moved_;          // [N] periods taken off each grain
+    std::vector<Wrapped> moved_;  // [N] periods taken off each grain
 };
 
 }  // namespace sandgraph::dem
