@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <ctime>
 
 #include "app/command_rve.hpp"
 #include "app/load_packing.hpp"
 #include "app/make_assembly.hpp"
 #include "app/prepare_packing.hpp"
+#include "dem/fast_kernel.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -14,17 +15,19 @@ namespace {
 struct Options {
     std::string packing;
     int grains = 400, steps = 20000;
-    bool reference = false;
+    bool reference = false, growth = false;
+    std::string target;
 };
 
 constexpr double time_step = 1e-5;  // [s]
 
 Mat2 simple_shear(double rate) { return (Mat2() << 0, rate, 0, 0).finished(); }
 
-double seconds_of(dem::Assembly& assembly, const Mat2& L, int steps) {
-    const auto start = std::chrono::steady_clock::now();
-    assembly.step(L, time_step, steps);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+// Processor time of this thread, so that other programs on the machine count little.
+double seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 // Without a file: the dense packing of Table 1, made on the spot.
@@ -35,15 +38,52 @@ io::PackingRecord packing_of(const Options& options) {
     return {.packing = base_packing(grains), .material = grains.material, .recipe = {}};
 }
 
-void run(const Options& options) {
+// Time of a DEM step [us]; the contacts at its end.
+std::pair<double, int> measure(const Options& options, int steps) {
     const io::PackingRecord record = packing_of(options);
     const auto kernel = options.reference ? scene::Kernel::reference : scene::Kernel::fast;
     const auto assembly = make_assembly(kernel, record.packing, record.material);
     const Mat2 L = simple_shear(0.4);
-    assembly->step(L, time_step, std::max(1, options.steps / 10));  // caches and contacts warm
-    const double seconds = seconds_of(*assembly, L, options.steps);
-    fmt::print("us_per_step {:.3f} contacts {}\n", 1e6 * seconds / options.steps,
-               assembly->observe().contacts);
+    assembly->step(L, time_step, std::max(1, steps / 10));  // caches and contacts warm
+    const double start = seconds();
+    assembly->step(L, time_step, steps);
+    return {1e6 * (seconds() - start) / steps, static_cast<int>(assembly->observe().contacts)};
+}
+
+void print(const Options& options) {
+    const auto [us, contacts] = measure(options, options.steps);
+    fmt::print("us_per_step {:.3f} contacts {}\n", us, contacts);
+}
+
+// The same number of grain steps at every size; best of three, since the time is a few hundredths of a
+// second.
+void print_growth(Options options) {
+    double first = 0;
+    fmt::print(" grains  us_per_step  ns_per_grain_step  against_100_grains\n");
+    for (const int grains : {100, 400, 1600, 10000}) {
+        options.grains = grains;
+        double best = 1e300;
+        for (int k = 0; k < 3; ++k)
+            best = std::min(best, measure(options, std::max(1, options.steps * 400 / grains)).first);
+        if (first == 0) first = best / grains;
+        fmt::print("{:7d}  {:11.3f}  {:17.2f}  {:18.3f}\n", grains, best, 1e3 * best / grains,
+                   best / grains / first);
+    }
+}
+
+void print_targets(const Options& options) {
+    for (const std::string& target : dem::kernel_targets()) {
+        dem::use_kernel_target(target);
+        fmt::print("{:8} ", target);
+        print(options);
+    }
+}
+
+void run(const Options& options) {
+    if (options.growth) return print_growth(options);
+    if (options.target == "all") return print_targets(options);
+    if (!options.target.empty()) dem::use_kernel_target(options.target);
+    print(options);
 }
 
 }  // namespace
@@ -57,6 +97,13 @@ void add_rve_bench(CLI::App& rve) {
         ->check(CLI::Range(20, 65000));
     bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::PositiveNumber);
     bench->add_flag("--reference", options->reference, "the published step instead of the optimised kernel");
+    bench->add_flag("--growth", options->growth, "time against the number of grains: 100, 400, 1600, 10000");
+    std::vector<std::string> targets = dem::kernel_targets();
+    targets.push_back("all");
+    bench
+        ->add_option("--target", options->target,
+                     "instruction set of the kernel (default: the widest), or all")
+        ->check(CLI::IsMember(targets));
     bench->callback([options] { run(*options); });
 }
 

@@ -150,9 +150,11 @@ HWY_INLINE void ForceLoop(FastState& s, const KernelConstants& k, double dt, V* 
     ForcesOf<kStress, true>(arrays, images, law, s.inner, s.slots, sum);
 }
 
-void ContactForces(FastState& s, const KernelConstants& k, double dt) { ForceLoop<false>(s, k, dt, nullptr); }
+inline void ContactForces(FastState& s, const KernelConstants& k, double dt) {
+    ForceLoop<false>(s, k, dt, nullptr);
+}
 
-void ContactForcesAndStress(FastState& s, const KernelConstants& k, double dt, double* moment_sum) {
+inline void ContactForcesAndStress(FastState& s, const KernelConstants& k, double dt, double* moment_sum) {
     const D d;
     V sum[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     ForceLoop<true>(s, k, dt, sum);

@@ -1,5 +1,7 @@
 #include "dem/fast_kernel.hpp"
 
+#include <stdexcept>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "dem/fast_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -54,6 +56,19 @@ double drift(FastState& state, const Mat2& L, double dt) {
 }
 
 std::string kernel_target() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
+
+std::vector<std::string> kernel_targets() {
+    std::vector<std::string> names;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+        names.push_back(hwy::TargetName(target));
+    return names;
+}
+
+void use_kernel_target(const std::string& name) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+        if (name == hwy::TargetName(target)) return hwy::GetChosenTarget().Update(target);
+    throw std::invalid_argument("this machine has no kernel for the instruction set " + name);
+}
 
 }  // namespace sandgraph::dem
 #endif

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "dem/fast_state.hpp"
 
@@ -24,5 +25,12 @@ double kick_drift(FastState& state, const KernelConstants& k, const Mat2& L, dou
 double drift(FastState& state, const Mat2& L, double dt);
 
 std::string kernel_target();  // the instruction set in use, e.g. "AVX3"
+
+// Those of the program that this machine can run, widest first.
+std::vector<std::string> kernel_targets();
+
+// Ties every dispatched loop of the program to one of them; throws std::invalid_argument for any other name.
+// For comparison only: bits differ between instruction sets.
+void use_kernel_target(const std::string& name);
 
 }  // namespace sandgraph::dem
