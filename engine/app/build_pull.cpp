@@ -57,8 +57,8 @@ std::unique_ptr<stress::Law> law_of(const scene::Scene& scene, const PreparedGro
                                     const mpm::Points& points) {
     const scene::Ground& g = scene.ground;
     if (g.law == scene::Law::rve) {
-        graph::RveLawSetup setup{g.grains.material,
-                                 rve_options(g.rve, g.grains.material, g.grains.radius_min), ground.rows,
+        const std::vector<double>& radii = ground.rows.front().packing->grains->radius;
+        graph::RveLawSetup setup{g.grains.material, rve_options(g.rve, g.grains.material, radii), ground.rows,
                                  points.row};
         setup.update_tolerance = g.rve.update_tolerance;
         setup.update_change_max = g.rve.update_change_max;

@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <mutex>
@@ -19,6 +20,7 @@ struct Options {
     std::string out = "out/rve_study";
     int seeds = 3;
     bool quick = false;
+    std::vector<std::string> histories;  // empty: all
 };
 
 // The packings of every seed: at the usual pressure, and at the low one.
@@ -61,6 +63,11 @@ std::vector<std::vector<StudyRun>> run_all(const StrainHistory& history,
     return runs;
 }
 
+bool chosen(const Options& options, const std::string& history) {
+    return options.histories.empty() ||
+           std::ranges::find(options.histories, history) != options.histories.end();
+}
+
 void run(const Options& options) {
     const std::filesystem::path folder = options.out;
     std::filesystem::create_directories(folder);
@@ -69,6 +76,7 @@ void run(const Options& options) {
     const std::vector<StudySetting> settings = study_settings(options.quick);
     std::vector<StudyRow> rows;
     for (const StrainHistory& history : strain_histories(options.quick)) {
+        if (!chosen(options, history.name)) continue;
         const auto& packings = history.pressure == study_pressure ? samples.usual : samples.low;
         const auto more = study_rows(history, settings, run_all(history, packings, settings));
         rows.insert(rows.end(), more.begin(), more.end());
@@ -89,6 +97,9 @@ void add_rve_study(CLI::App& rve) {
     study->add_option("--seeds", options->seeds, "packings of seeds 1 to N")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    study->add_option("--history", options->histories, "only these of the histories")
+        ->check(CLI::IsMember(
+            {"quiet", "biaxial", "simple_shear", "reversal", "post_peak", "near_zero", "recontact"}));
     study->add_flag("--quick", options->quick, "one seed, shorter histories, fewer values");
     study->callback([options] { run(*options); });
 }

@@ -49,8 +49,7 @@ dem::IsotropicTest isotropic_test(const scene::ElementTestSpec& spec, double mod
 
 // The optimised kernel relaxes the packing, then an RVE follows the path as in a run.
 std::vector<dem::ElementRow> run_fast_path(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
-    const double radius_min = *std::ranges::min_element(packing.r);
-    const RvePath path{path_test(spec), spec.material, rve_options(spec.rve, spec.material, radius_min)};
+    const RvePath path{path_test(spec), spec.material, rve_options(spec.rve, spec.material, packing.r)};
     const auto assembly = make_assembly(spec.mode, packing, spec.material);
     assembly->step(Mat2::Zero(), path.options.time_step, std::max(1, spec.relax_steps));
     return run_rve_path(assembly->packing(), assembly->stress(), path);

@@ -22,7 +22,7 @@ class Specimen {
     Specimen(const graph::RowPacking& row, const scene::ProbeSpec& spec, std::size_t history)
         : rve_(row.packing),
           material_(spec.grains.material),
-          options_(rve_options(spec.rve, material_, spec.grains.radius_min)),
+          options_(rve_options(spec.rve, material_, row.packing->grains->radius)),
           stop_(spec.paths.pressure_stop),
           history_(static_cast<std::int32_t>(history)) {}
 

@@ -1,19 +1,28 @@
 #include "app/rve_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace sandgraph::app {
 
-double critical_time_step(const dem::Material& m, double radius_min) {
-    // m = rho h pi r^2 and k_n = E r* = E r for two equal disks.
-    return std::sqrt(m.density * m.depth * std::numbers::pi * radius_min / m.young);
+double critical_time_step(const dem::Material& m, std::span<const double> radii) {
+    const auto [smallest, largest] = std::ranges::minmax(radii);
+    const double mass = m.density * m.depth * std::numbers::pi * smallest * smallest;
+    const double k_n = m.young * 2 * smallest * largest / (smallest + largest);
+    const double k_t = m.stiffness_ratio * k_n;
+    // omega^2 of one contact: of a disk that moves, and of one that turns on the spot (I = m r^2/2) against
+    // k_t r^2 + k_r, k_r = beta k_t r_i r_j; a neighbour that turns along doubles the slip.
+    const double moves = (k_n + k_t) / mass;
+    const double turns = 2 * k_t * (1 + std::max(1.0, m.rolling_stiffness * largest / smallest)) / mass;
+    const double contacts = std::numbers::pi / std::asin(largest / (smallest + largest));
+    return 2 / std::sqrt(contacts * std::max(moves, turns));
 }
 
 dem::RveOptions rve_options(const scene::RveStepping& stepping, const dem::Material& material,
-                            double radius_min) {
+                            std::span<const double> radii) {
     dem::RveOptions options;
-    options.time_step = stepping.time_step_fraction * critical_time_step(material, radius_min);
+    options.time_step = stepping.time_step_fraction * critical_time_step(material, radii);
     options.inertial_number_max = stepping.inertial_number_max;
     options.strain_per_step_max = stepping.strain_per_step_max;
     options.pressure_floor = stepping.pressure_floor;

@@ -71,8 +71,19 @@ StrainHistory dilating_shear_history(double total) {
 
 StrainHistory opening_history() {
     StrainHistory history{"near_zero", study_pressure_low, {}};
+    for (int cycle = 0; cycle < 3; ++cycle) {
+        append(history, strain(1, 0, 1), 2e-6, 1e-4);
+        append(history, strain(-1, 0, -1), 2e-6, 0.8e-4);
+    }
+    append(history, strain(1, 0, 1), 2e-6, 4e-4);
+    return history;
+}
+
+StrainHistory recontact_history() {
+    StrainHistory history{"recontact", study_pressure_low, {}};
     append(history, strain(1, 0, 1), 1e-5, 0.01);
     append(history, strain(0.2, 0, -0.2), 1e-5, 0.01);
+    history.window = history.increments.size() + 950;
     append(history, strain(-1, 0, -1), 1e-5, 0.0105);
     return history;
 }
@@ -80,7 +91,8 @@ StrainHistory opening_history() {
 std::vector<StrainHistory> strain_histories(bool quick) {
     const double small = quick ? 0.003 : 0.01, large = quick ? 0.05 : 0.2;
     return {quiet_history(),    biaxial_history(small),        simple_shear_history(small),
-            reversal_history(), dilating_shear_history(large), opening_history()};
+            reversal_history(), dilating_shear_history(large), opening_history(),
+            recontact_history()};
 }
 
 }  // namespace sandgraph::app

@@ -6,13 +6,13 @@
 
 namespace sandgraph::app {
 StudySample study_sample(const scene::Grains& grains, double pressure) {
-    return {CompressedPackings(grains).row(pressure), grains.material, grains.radius_min};
+    return {CompressedPackings(grains).row(pressure), grains.material};
 }
 
 StudyRun run_history(const StudySample& sample, const StrainHistory& history,
                      const scene::RveStepping& stepping) {
     graph::RveLaw law({sample.material,
-                       rve_options(stepping, sample.material, sample.radius_min),
+                       rve_options(stepping, sample.material, sample.row.packing->grains->radius),
                        {sample.row},
                        {0},
                        stepping.update_tolerance,

@@ -12,7 +12,6 @@ namespace sandgraph::app {
 struct StudySample {
     graph::RowPacking row;
     dem::Material material;
-    double radius_min = 0;  // [m]
 };
 
 // The dense packing of `grains` at the isotropic stress `pressure` [Pa], from the packing cache if it is

@@ -23,8 +23,8 @@ std::vector<Axis> axes() {
          {2.5e-6, 4e-5}},
         {"update_tolerance",
          [](RveStepping& s, double v) { s.update_tolerance = v; },
-         {0.0025, 0.01},
-         {0, 0.00125, 0.02}},
+         {0.00125, 0.005},
+         {0, 0.000625, 0.01}},
         {"update_change_max",
          [](RveStepping& s, double v) { s.update_change_max = v; },
          {0.025, 0.1},
@@ -32,8 +32,9 @@ std::vector<Axis> axes() {
         {"steps_min", [](RveStepping& s, double v) { s.steps_min = static_cast<int>(v); }, {1, 5}, {10, 20}},
         {"time_step_fraction",
          [](RveStepping& s, double v) { s.time_step_fraction = v; },
-         {0.1, 0.3},
-         {0.05, 0.4, 0.6}}};
+         {0.4, 1},
+         {0.1, 0.2, 0.6}},
+        {"pressure_floor", [](RveStepping& s, double v) { s.pressure_floor = v; }, {300, 3000}, {100, 30}}};
 }
 
 void vary(const Axis& axis, const std::vector<double>& values, std::vector<StudySetting>& out) {
@@ -43,19 +44,18 @@ void vary(const Axis& axis, const std::vector<double>& values, std::vector<Study
     }
 }
 
-// Several keys moved together. 1: tolerance and inertial number halved; 2: tolerance halved, DEM step twice
-// as long; 3: both; 4: tolerance a quarter, DEM step twice as long.
+// Several keys moved together. 1: tolerance and inertial number halved; 2: both a quarter; 3: both a quarter
+// and half the strain a step.
 std::vector<StudySetting> tighter() {
     std::vector<StudySetting> out;
-    const auto add = [&](double tolerance, double inertial, double fraction) {
+    const auto add = [&](double tolerance, double inertial, double strain) {
         out.push_back({"tighter", static_cast<double>(out.size() + 1), {}});
         scene::RveStepping& s = out.back().stepping;
-        s.update_tolerance = tolerance, s.inertial_number_max = inertial, s.time_step_fraction = fraction;
+        s.update_tolerance = tolerance, s.inertial_number_max = inertial, s.strain_per_step_max = strain;
     };
-    add(0.0025, 1e-3, 0.2);
-    add(0.0025, 2e-3, 0.4);
-    add(0.0025, 1e-3, 0.4);
-    add(0.00125, 2e-3, 0.4);
+    add(0.00125, 1e-3, 1e-5);
+    add(0.000625, 5e-4, 1e-5);
+    add(0.000625, 5e-4, 5e-6);
     return out;
 }
 
@@ -64,7 +64,7 @@ std::vector<StudySetting> tighter() {
 RveStepping reference_stepping() {
     RveStepping s;
     s.update_tolerance = 0, s.strain_per_step_max = 1e-6, s.inertial_number_max = 2e-4;
-    s.time_step_fraction = 0.1;
+    s.time_step_fraction = 0.2;
     return s;
 }
 

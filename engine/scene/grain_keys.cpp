@@ -78,7 +78,7 @@ void add_grain_keys(KeyTable& keys, Grains& g) {
 void add_stepping_keys(KeyTable& keys, RveStepping& r) {
     auto rve = keys.section("rve");
     rve.real("time_step_fraction", r.time_step_fraction, "", above_up_to(0, 1),
-             "DEM time step as a share of the critical one");
+             "DEM time step as a share of the longest stable one");
     rve.real("inertial_number_max", r.inertial_number_max, "", above(0),
              "bound on I; smaller is slower, truer");
     rve.real("strain_per_step_max", r.strain_per_step_max, "", above_up_to(0, 1e-2),

@@ -49,13 +49,13 @@ struct Grains {
 
 // How an RVE follows its point (DESIGN section 4, "work follows strain").
 struct RveStepping {
-    double time_step_fraction = 0.2;  // DEM dt as a share of the critical one
+    double time_step_fraction = 0.85;  // DEM dt as a share of the longest stable one
     double inertial_number_max = 2e-3;
     double strain_per_step_max = 1e-5;
-    double pressure_floor = 1000;     // p below which the inertial limit no longer tightens [Pa]
-    double update_tolerance = 0.005;  // error of the stress predicted between two DEM updates, share of p
-    double update_change_max = 0.05;  // largest predicted stress change between two, share of p
-    int steps_min = 2;                // DEM steps an update at least
+    double pressure_floor = 1000;      // p below which the inertial limit no longer tightens [Pa]
+    double update_tolerance = 0.0025;  // error of the stress predicted between two DEM updates, share of p
+    double update_change_max = 0.05;   // largest predicted stress change between two, share of p
+    int steps_min = 2;                 // DEM steps an update at least
 };
 
 // Closed-form laws (law = "elastic" | "mohr_coulomb").

@@ -75,9 +75,10 @@ TEST(Probe, HistoriesReplayToTheLoggedStressBitForBit) {
     for (const std::size_t h : {std::size_t{0}, std::size_t{3}, log.histories.size() - 1}) {
         const PackingPlan& packing = plan.packings[static_cast<std::size_t>(log.histories[h].packing)];
         dem::Rve rve(CompressedPackings(packing.grains).row(packing.pressure).packing);
+        const dem::RveOptions options = rve_options(spec.rve, material, rve.packing().grains->radius);
         ASSERT_GT(log.of(h).size(), 1u);
         for (const io::HistoryRow& row : log.of(h)) {
-            rve.update(row.F_inc, material, rve_options(spec.rve, material, spec.grains.radius_min), work);
+            rve.update(row.F_inc, material, options, work);
             ASSERT_EQ(rve.stress(), row.stress);
             ASSERT_EQ(rve.volume_ratio(), row.volume_ratio);
         }
