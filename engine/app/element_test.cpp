@@ -8,6 +8,7 @@
 #include "app/make_assembly.hpp"
 #include "app/rve_options.hpp"
 #include "app/rve_path.hpp"
+#include "base/error.hpp"
 #include "dem/element_test_csv.hpp"
 #include "dem/element_test_strength.hpp"
 
@@ -71,10 +72,21 @@ std::string summary(const std::vector<dem::BiaxialRow>& rows) {
                        peak.friction_angle * 180 / std::numbers::pi, 100 * peak.axial_strain);
 }
 
+// The step of the DEM itself; in a fast path it only divides the path.
+void check_time_step(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
+    if (spec.kind == scene::TestKind::path && spec.mode == scene::Kernel::fast) return;
+    const double limit = 1.25 * critical_time_step(spec.material, packing.r);
+    if (spec.time_step <= limit) return;
+    throw InputError({"element test", 0}, fmt::format("time_step = {:g} s", spec.time_step),
+                     fmt::format("contacts of this packing vibrate apart above {:.2g} s", limit),
+                     "write a shorter one, 1e-5 s for the usual grains");
+}
+
 }  // namespace
 
 std::string run_element_test(const scene::ElementTestSpec& spec, const dem::Packing& packing,
                              const std::string& file, const std::string& metadata) {
+    check_time_step(spec, packing);
     const double modulus = dem::typical_modulus(packing, spec.material);
     if (spec.kind == scene::TestKind::biaxial) {
         const auto rows =

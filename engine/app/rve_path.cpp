@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "dem/observe.hpp"
 
 namespace sandgraph::app {
@@ -28,7 +28,11 @@ class RveOnStand {
         if (collected_ == Mat2::Identity()) return;
         const dem::RveReport report = rve_.update(collected_, path_.material, path_.options, work_);
         if (report.status == dem::RveStatus::bad_increment || report.status == dem::RveStatus::diverged)
-            throw std::runtime_error(fmt::format("the packing could not follow step {} of the path", steps_));
+            throw InputError(
+                {"element test", 0}, fmt::format("the packing cannot follow step {} of the path", steps_),
+                report.status == dem::RveStatus::diverged ? "its grains lie in each other, or flew apart"
+                                                          : "too large an increment",
+                "strain it less, or in smaller steps");
         collected_.setIdentity();
         strain_ = 0;
     }

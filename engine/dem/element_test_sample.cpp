@@ -1,5 +1,10 @@
 #include "dem/element_test_sample.hpp"
 
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "dem/crushed.hpp"
+
 namespace sandgraph::dem {
 
 SampleOnStand::SampleOnStand(Assembly& assembly, double dt)
@@ -16,7 +21,13 @@ void SampleOnStand::step(const Mat2& L, int count) {
 }
 
 ElementRow SampleOnStand::row() {
-    return {steps_, static_cast<double>(steps_) * dt_, F_, periods(), assembly_.observe()};
+    ElementRow row{steps_, static_cast<double>(steps_) * dt_, F_, periods(), assembly_.observe()};
+    if (row.seen.stress.allFinite() && row.seen.porosity > crushed_porosity) return row;
+    throw InputError({"element test", 0}, fmt::format("the sample is lost by step {}", steps_),
+                     row.seen.stress.allFinite()
+                         ? fmt::format("porosity {:.2f}: its grains lie in each other", row.seen.porosity)
+                         : std::string("stress is not finite"),
+                     "compress it less, or take a shorter time step");
 }
 
 double typical_modulus(const Packing& packing, const Material& material) {

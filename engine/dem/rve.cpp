@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/crushed.hpp"
 #include "dem/stretch.hpp"
 
 namespace sandgraph::dem {
@@ -51,6 +52,11 @@ bool cell_too_thin(const FastState& s, const GrainSet& grains) {
     return !(s.H.determinant() / longest > 4 * grains.radius_max);
 }
 
+bool crushed(const CompactPacking& p, const Mat2& stretch) {
+    const double area = p.H.determinant() * stretch.determinant();
+    return !(1 - p.grains->solid_area / area > crushed_porosity);
+}
+
 }  // namespace
 
 RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOptions& options,
@@ -90,6 +96,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
                      Workspace& work) {
     if (hencky(stretch).norm() < kRoundOff) return {};
     const CompactPacking& before = packing();
+    if (crushed(before, stretch)) return {RveStatus::diverged};
     const double rate = rate_limit(before, material, options), dt = options.time_step;
     RveReport report;
     report.dem_steps = step_count(hencky(stretch), rate, options);

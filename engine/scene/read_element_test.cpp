@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "scene/element_test_keys.hpp"
 #include "scene/element_test_spec.hpp"
 #include "scene/toml_file.hpp"
@@ -28,6 +30,28 @@ void need_one_source(const KeyTable& keys, const std::string& file) {
                          "write [[segment]] tables or segments = \"FILE.csv\"");
 }
 
+// A velocity gradient that strains or turns the sample by more than this in one step is no motion of grains.
+constexpr double kLargestStep = 1e-2;
+
+void check_rate(double rate, double time_step, const InputError::Where& where) {
+    if (rate * time_step <= kLargestStep * (1 + 1e-9)) return;
+    throw InputError(
+        where, fmt::format("a rate of {:g} 1/s", rate),
+        fmt::format("it strains the sample by {:g} in each time step of {:g} s", rate * time_step, time_step),
+        fmt::format("write at most {:g} 1/s, or a shorter time_step", kLargestStep / time_step));
+}
+
+void check_rates(const KeyTable& keys, const ElementTestSpec& spec, const std::string& file) {
+    if (spec.kind == TestKind::path) {
+        const Key& source = keys.at(keys.at("segments").given ? "segments" : "segment");
+        for (const StrainSegment& s : spec.segments)
+            check_rate(s.velocity_gradient.norm(), spec.time_step, source.where);
+        return;
+    }
+    const Key& rate = keys.at(spec.kind == TestKind::biaxial ? "axial_rate" : "rate");
+    check_rate(spec.axial_rate, spec.time_step, rate.given ? rate.where : InputError::Where{file, 0});
+}
+
 }  // namespace
 
 ElementTestSpec read_element_test(const std::string& file, const dem::Material& material) {
@@ -38,6 +62,7 @@ ElementTestSpec read_element_test(const std::string& file, const dem::Material& 
     KeyTable keys = element_test_keys(spec);
     keys.read(table, file);
     if (spec.kind == TestKind::path) need_one_source(keys, file);
+    check_rates(keys, spec, file);
     return spec;
 }
 

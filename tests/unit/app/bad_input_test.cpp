@@ -44,6 +44,29 @@ TEST(BadInput, PackingWithOneDiskInAnother) {
     EXPECT_EQ(shell.files(), 2);
 }
 
+std::string test_of(const std::string& mode, const std::string& rate, int steps) {
+    return "kind = \"path\"\nmode = \"" + mode + "\"\nrelax_steps = 0\n[[segment]]\nvelocity_gradient = [[-" +
+           rate + ", 0], [0, -" + rate + "]]\nsteps = " + std::to_string(steps) + "\n";
+}
+
+TEST(BadInput, PathThatCrushesTheGrains) {
+    const Shell shell("crushed");
+    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.04\n");
+    for (const std::string mode : {"reference", "fast"}) {
+        shell.write("t.toml", test_of(mode, "100", 1000));  // to a seventh of the area
+        expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "element test", "");
+    }
+    EXPECT_EQ(shell.files(), 2);
+}
+
+TEST(BadInput, TimeStepThatNoContactFollows) {
+    const Shell shell("time_step");
+    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.005\n");
+    shell.write("t.toml", "time_step = \"1e-3 s\"\n" + test_of("reference", "0.1", 10));
+    expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "element test", "time_step");
+    EXPECT_EQ(shell.files(), 2);
+}
+
 TEST(BadInput, TruncatedOrForeignHdf5) {
     const Shell shell("truncated");
     shell.write("t.toml", path_test);

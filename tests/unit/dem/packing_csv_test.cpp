@@ -98,6 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{head + "0,0.05,0.05,nan\n", ".csv:5:", "radius nan"},
         Refusal{head + "0,0.05,0.05,0\n", ".csv:5:", "radius 0"},
         Refusal{head + "0,0.05,0.05,-0.005\n", ".csv:5:", "radius -0.005"},
+        Refusal{head + "0,0.05,0.05,0.005\n1,0.02,0.02,5e-6\n",
+                ".csv:6:", "radius 5e-06 m beside one of 0.005"},
         Refusal{head + "0,1e300,0.05,0.005\n", ".csv:5:", "far outside"},
         Refusal{head + "0,0.05,0.05,0.005\n1,0.051,0.05,0.005\n", ".csv:6:", "overlap by 180 %"},
         Refusal{head + "0,0.001,0.05,0.005\n1,0.099,0.05,0.005\n", ".csv:6:", "overlap by 160 %"}));

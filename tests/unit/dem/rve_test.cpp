@@ -145,6 +145,19 @@ TEST_F(RveTest, RefusesBadIncrementsAndKeepsItsState) {
     EXPECT_EQ(rve.stress(), before);
 }
 
+TEST_F(RveTest, RefusesToBeCrushed) {
+    Rve rve(relaxed());
+    options.inertial_number_max = 1, options.strain_per_step_max = 1e-3;
+    RveReport report;
+    int updates = 0;
+    while (report.status == RveStatus::ok && ++updates < 20)
+        report = drive(rve, gradient(-0.05, 0, 0, -0.05));
+    EXPECT_EQ(report.status, RveStatus::diverged);
+    EXPECT_EQ(report.dem_steps, 0);
+    EXPECT_GT(rve.porosity(), -0.5);
+    EXPECT_TRUE(rve.stress().allFinite());
+}
+
 TEST_F(RveTest, TakesNoMoreStrainAStepThanAsked) {
     Rve rve(relaxed());
     options.inertial_number_max = 1e9;

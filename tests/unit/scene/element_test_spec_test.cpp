@@ -105,6 +105,15 @@ TEST_F(ElementTestFile, RefusesAnIncompletePath) {
     EXPECT_EQ(refused("kind = \"path\"\n[[segment]]\nstep = 3\n").rfind("t.toml:3: unknown key step", 0), 0u);
 }
 
+TEST_F(ElementTestFile, RefusesRatesThatNoGrainFollows) {
+    const std::string path =
+        "kind = \"path\"\n\n[[segment]]\nvelocity_gradient = [[0, 1e6], [0, 0]]\nsteps = 5\n";
+    EXPECT_EQ(refused(path).rfind("t.toml:3: a rate of 1e+06 1/s (it strains the sample by 10", 0), 0u)
+        << refused(path);
+    const std::string biaxial = "kind = \"biaxial\"\naxial_rate = \"2000 1/s\"\n";
+    EXPECT_EQ(refused(biaxial).rfind("t.toml:2: a rate of 2000 1/s", 0), 0u) << refused(biaxial);
+}
+
 TEST_F(RecipeFile, HasTheGrainsOfAScene) {
     const auto recipe =
         read_recipe(write("r.toml", "pressure = \"32 kPa\"\n[grains]\ndensity = \"loose\"\ncount = 200\n"));
