@@ -11,3 +11,6 @@ find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 find_package(nlohmann_json REQUIRED)
+
+# Only training/ uses it; without it everything else is built.
+find_package(Torch QUIET)

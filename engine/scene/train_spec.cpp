@@ -1,0 +1,94 @@
+#include "scene/train_spec.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "scene/toml_file.hpp"
+
+namespace sandgraph::scene {
+namespace {
+
+// Existing files, a list of names or one alone; looked up like an InputFile.
+class InputFiles : public Value {
+  public:
+    explicit InputFiles(std::vector<std::string>& files) : files_(files) {}
+    void read(const Entry& entry) override {
+        files_.clear();
+        if (const toml::array* list = entry.node.as_array())
+            for (const toml::node& item : *list) read_one({item, entry.where, entry.name});
+        else
+            read_one(entry);
+    }
+    std::string shown() const override { return fmt::format("[{}]", fmt::join(files_, ", ")); }
+    std::string canonical() const override { return shown(); }
+
+  private:
+    void read_one(const Entry& entry) {
+        std::string name;
+        InputFile(name).read(entry);
+        files_.push_back(name);
+    }
+    std::vector<std::string>& files_;
+};
+
+void add_data_keys(KeyTable& keys, TrainSpec& spec) {
+    auto data = keys.section("data");
+    data.input_file("probe", spec.probe, "probe recipe: its history log is made first, beside the model");
+    data.add("logs", std::make_unique<InputFiles>(spec.logs), "history logs of runs or probes");
+    data.integer("held_out_seeds", spec.held_out_seeds, 0, "highest packing seeds, never trained on");
+    data.integer("validation_seeds", spec.validation_seeds, 1,
+                 "packing seeds before those: they choose the best epoch");
+    data.integer("held_out_every", spec.held_out_every, 0,
+                 "of the other seeds every so-manieth history is held out, too; 0: none");
+    data.real("strain_max", spec.strain_max, "", above_up_to(0, 10), "length of a history that trains");
+}
+
+void add_step_keys(KeyTable& keys, TrainSpec& spec) {
+    auto steps = keys.section("steps");
+    steps.real("share", spec.step_share, "", above_up_to(0, 1),
+               "strain of a training step over that gone through since the start or the last turn");
+    steps.real("least", spec.step_least, "", above(0), "smallest strain of a training step");
+    steps.real("most", spec.step_most, "", above_up_to(0, 0.01), "largest strain of a training step");
+}
+
+void add_training_keys(KeyTable& keys, TrainSpec& spec) {
+    auto training = keys.section("training");
+    training.integer("seed", spec.seed, 0, "of initial weights, bootstrap and order");
+    training.integer("epochs", spec.epochs, 1, "passes over the training histories at most");
+    training.integer("patience", spec.patience, 1, "passes without a better validation error, then it stops");
+    training.integer("batch", spec.batch, 1, "histories side by side");
+    training.integer("threads", spec.threads, 1, "of libtorch; the bits of the result depend on it");
+    training.real("rate", spec.rate, "", above(0), "learning rate of Adam at the start");
+    training.real("rate_end", spec.rate_end, "", above(0), "and at the end");
+    training.real("clip", spec.clip, "", above(0), "largest norm of a member's gradient");
+    training.real("robust", spec.robust, "", above(0),
+                  "error, as a share of p, beyond which the loss grows linearly");
+}
+
+}  // namespace
+
+KeyTable train_keys(TrainSpec& spec) {
+    KeyTable keys;
+    add_data_keys(keys, spec);
+    auto model = keys.section("model");
+    model.choice("rung", spec.rung, {"elastic", "fitted", "learned", "mlp", "gru"},
+                 "elastic; elements with fitted constants; with learned coefficients; two baselines");
+    model.integer("members", spec.members, 1, "of the ensemble");
+    add_training_keys(keys, spec);
+    add_step_keys(keys, spec);
+    return keys;
+}
+
+TrainSpec read_train(const std::string& file) {
+    TrainSpec spec;
+    spec.file = file;
+    spec.text = read_text(file);
+    KeyTable keys = train_keys(spec);
+    keys.read(parse_toml(spec.text, file), file);
+    if (spec.probe.empty() && spec.logs.empty())
+        throw InputError({file, 0}, "nothing to train on", "there are neither logs nor a probe recipe",
+                         "write logs = [\"FILE.h5\"] or probe = \"FILE.toml\" under [data]");
+    return spec;
+}
+
+}  // namespace sandgraph::scene

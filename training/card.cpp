@@ -1,0 +1,74 @@
+#include "training/card.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "surrogate/features.hpp"
+#include "training/element_law.hpp"
+
+namespace sandgraph::training {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ranges(const Law& law) {
+    Json out = Json::object();
+    const auto* elements = dynamic_cast<const ElementLaw*>(&law);
+    if (!elements) return out;
+    for (std::size_t i = 0; i < surrogate::feature_count; ++i) {
+        const auto k = static_cast<std::int64_t>(i);
+        out[surrogate::feature_names[i]] = {elements->low[k].item<double>(),
+                                            elements->high[k].item<double>()};
+    }
+    return out;
+}
+
+Json errors(std::span<const ErrorTable> tables) {
+    Json out = Json::array();
+    for (const ErrorTable& table : tables)
+        for (const ErrorRow& row : table.rows)
+            out.push_back({{"of", table.of},
+                           {"data", table.data},
+                           {"regime", row.regime},
+                           {"samples", row.samples},
+                           {"p50", row.median},
+                           {"p95", row.high},
+                           {"worst", row.worst}});
+    return out;
+}
+
+Json data_part(const TrainingData& data) {
+    const Split& s = data.split;
+    return {{"hash", data.hash},
+            {"logs", data.set.sources},
+            {"histories",
+             {{"training", s.training.size()},
+              {"validation", s.validation.size()},
+              {"held out, new seeds", s.new_seeds.size()},
+              {"held out, known seeds", s.known_seeds.size()}}},
+            {"seeds_validation", s.seeds_validation},
+            {"seeds_held_out", s.seeds_held_out}};
+}
+
+}  // namespace
+
+std::string model_card(const scene::TrainSpec& spec, const TrainingData& data, const Trained& trained,
+                       std::span<const ErrorTable> tables, const std::string& command,
+                       const std::string& revision) {
+    const Json card{{"rung", name_of(spec.rung)},
+                    {"members", spec.members},
+                    {"command", command},
+                    {"git", revision},
+                    {"recipe", spec.text},
+                    {"data", data_part(data)},
+                    {"epochs", trained.epochs},
+                    {"validation_loss", trained.validation},
+                    {"wall_s", trained.seconds},
+                    {"ranges", ranges(*trained.law)},
+                    {"error",
+                     "|sigma - sigma_DEM| (Frobenius) / max(p_DEM, 1 kPa), ensemble mean, every "
+                     "training step of a history"},
+                    {"errors", errors(tables)}};
+    return card.dump(2) + "\n";
+}
+
+}  // namespace sandgraph::training

@@ -1,0 +1,85 @@
+#include "training/export_model.hpp"
+
+#include <torch/types.h>
+#include <torch/utils.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandgraph::training {
+namespace {
+
+using torch::Tensor;
+
+std::vector<double> numbers(const Tensor& tensor) {
+    const Tensor plain = tensor.detach().to(torch::kDouble).contiguous().flatten();
+    return {plain.data_ptr<double>(), plain.data_ptr<double>() + plain.numel()};
+}
+
+surrogate::Layer layer_of(const Tensor& weight, const Tensor& bias) {
+    return {static_cast<std::size_t>(weight.size(0)), static_cast<std::size_t>(weight.size(1)),
+            numbers(weight.t()), numbers(bias)};
+}
+
+surrogate::Member member_of(const ElementLaw& law, std::int64_t e) {
+    surrogate::Member member;
+    member.exponent = torch::sigmoid(law.exponent[e]).item<double>();
+    member.bulk = law.log_bulk[e].exp().item<double>();
+    member.share = numbers(torch::softmax(law.share[e].to(torch::kDouble), 0));
+    member.strength = numbers(law.log_strength[e].to(torch::kDouble).exp());
+    member.dilatancy = numbers(law.dilatancy[e]);
+    if (law.rung() == Rung::learned)
+        member.layers = {layer_of(law.W1[e], law.b1[e]), layer_of(law.W2[e], law.b2[e]),
+                         layer_of(law.W3[e], law.b3[e])};
+    return member;
+}
+
+// Features of the rollout and of the measured state, weighted steps only [features, samples].
+Tensor features_seen(const ElementLaw& law, const Batch& batch) {
+    const Prediction rolled = law.rollout(batch);
+    const auto all = [&](const Tensor& t) { return t.unsqueeze(1).expand_as(rolled.p); };
+    const auto of_state = [&](const Tensor& p, const Tensor& s, const Tensor& slip) {
+        const Tensor still = torch::zeros_like(p), eta = s.square().sum(3).sqrt() / p;
+        const Tensor e = ((1 + batch.e0) * batch.J - 1 - 0.22) / 0.04;
+        return torch::stack({(p / 1e4).log() / 3, all(e), (eta.square() + 1e-4).sqrt() / 0.4,
+                             torch::log(1 + slip / 1e-3) / 3, still + (batch.p0 / 1e4).log() / 3,
+                             still + (batch.e0 - 0.22) / 0.04, still + (batch.Z0 - 3.5) / 0.5,
+                             still + (batch.sin_phi - 0.5) / 0.1, (s * batch.fabric).sum(3) / (0.1 * p)});
+    };
+    const Tensor p = batch.p.clamp_min(10).unsqueeze(1).expand_as(rolled.p);
+    const Tensor s = batch.s.unsqueeze(1).expand_as(rolled.s);
+    const Tensor used = all(batch.weight) > 0;
+    return torch::cat({of_state(rolled.p, rolled.s, rolled.slip).index({torch::indexing::Slice(), used}),
+                       of_state(p, s, rolled.slip).index({torch::indexing::Slice(), used})},
+                      1);
+}
+
+}  // namespace
+
+void set_ranges(ElementLaw& law, std::span<const Batch> batches) {
+    const torch::NoGradGuard no_gradients;
+    constexpr double outliers = 1e-3, margin = 0.02;
+    std::vector<Tensor> seen;
+    for (const Batch& batch : batches) seen.push_back(features_seen(law, batch));
+    const Tensor sorted = std::get<0>(torch::cat(seen, 1).sort(1));
+    const auto last = sorted.size(1) - 1;
+    const auto cut = static_cast<std::int64_t>(outliers * static_cast<double>(last));
+    const Tensor low = sorted.select(1, cut), high = sorted.select(1, last - cut);
+    const Tensor wider = margin * (high - low) + 1e-3;
+    law.low.copy_(low - wider);
+    law.high.copy_(high + wider);
+}
+
+surrogate::Model export_model(const ElementLaw& law, double substep) {
+    surrogate::Model model;
+    model.elements = ElementLaw::elements;
+    model.frictional = law.rung() != Rung::elastic;
+    model.substep = substep;
+    for (std::size_t i = 0; i < model.ranges.size(); ++i)
+        model.ranges[i] = {law.low[static_cast<std::int64_t>(i)].item<double>(),
+                           law.high[static_cast<std::int64_t>(i)].item<double>()};
+    for (std::int64_t e = 0; e < law.members(); ++e) model.members.push_back(member_of(law, e));
+    return model;
+}
+
+}  // namespace sandgraph::training

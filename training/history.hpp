@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "io/history.hpp"
+
+namespace sandgraph::training {
+
+// What one packing went through and what it answered.
+struct History {
+    io::HistoryInfo info;
+    std::int32_t packing = 0;    // index in HistorySet::packings
+    std::int64_t twin_of = -1;   // index in HistorySet::histories
+    std::vector<Mat2> F_inc;     // each since the row before, with its spin
+    std::vector<Stress> stress;  // after each increment, tension positive, lab frame [Pa]
+};
+
+struct HistorySet {
+    std::vector<io::HistoryPacking> packings;
+    std::vector<History> histories;
+    std::vector<std::string> sources;  // "FILE hash" of every log
+
+    const io::HistoryPacking& start_of(const History& history) const { return packings[history.packing]; }
+};
+
+// The DEM histories of the logs, one set. A history ends where its packing could not follow. InputError on
+// what io::read_history refuses, and when nothing is left.
+HistorySet read_histories(const std::vector<std::string>& files);
+
+}  // namespace sandgraph::training

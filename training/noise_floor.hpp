@@ -1,0 +1,11 @@
+#pragma once
+#include "training/error_table.hpp"
+#include "training/path.hpp"
+
+namespace sandgraph::training {
+
+// How far apart DEM itself lies: the answers of a twin against those of its original, by kind of twin
+// (another packing seed, a turned path, a path cut finer or coarser). No law can be expected below.
+std::vector<ErrorTable> noise_floor(const HistorySet& set, const CutRule& rule, double strain_max);
+
+}  // namespace sandgraph::training

@@ -1,0 +1,89 @@
+#include "training/session.hpp"
+
+#include <fmt/format.h>
+#include <torch/types.h>
+#include <torch/utils.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "base/hash.hpp"
+#include "training/element_law.hpp"
+#include "training/export_model.hpp"
+#include "training/stop.hpp"
+
+namespace sandgraph::training {
+namespace {
+
+constexpr auto number = torch::kFloat;
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string data_hash(const scene::TrainSpec& spec, const HistorySet& set) {
+    std::string text = spec.text;
+    for (const std::string& source : set.sources) text += "\n" + source.substr(source.rfind(' '));
+    return hex(hash64(text));
+}
+
+TrainOptions options_of(const scene::TrainSpec& spec) {
+    return {.seed = spec.seed,
+            .epochs = spec.epochs,
+            .patience = spec.patience,
+            .batch = spec.batch,
+            .rate = spec.rate,
+            .rate_end = spec.rate_end,
+            .clip = spec.clip,
+            .robust = spec.robust};
+}
+
+void tell(Rung rung, const EpochReport& report) {
+    fmt::print(stderr, "{} epoch {} of {}  loss {:.5f}  validation {:.5f}  best {:.5f}  {:.0f} s left\n",
+               name_of(rung), report.epoch, report.epochs, report.loss, report.validation, report.best,
+               report.seconds_left);
+}
+
+}  // namespace
+
+TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::string>& logs) {
+    TrainingData data;
+    data.set = read_histories(logs);
+    data.split = split(data.set, spec);
+    data.rule = {.least = spec.step_least, .most = spec.step_most, .share = spec.step_share};
+    data.hash = data_hash(spec, data.set);
+    const auto batches = [&](const std::vector<std::int64_t>& which, double coarser, std::size_t size) {
+        CutRule rule = data.rule;
+        rule.coarser = coarser;
+        return make_batches(cut_all(data.set, which, rule, spec.strain_max), size, number);
+    };
+    const auto size = static_cast<std::size_t>(spec.batch);
+    data.training = batches(data.split.training, 1, size);
+    data.validation = batches(data.split.validation, 1, 512);
+    data.new_seeds = batches(data.split.new_seeds, 1, 512);
+    data.known_seeds = batches(data.split.known_seeds, 1, 512);
+    return data;
+}
+
+std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& spec, Rung rung,
+                             const std::filesystem::path& state) {
+    const double start = seconds();
+    torch::set_num_threads(spec.threads);
+    Trained trained{.law = make_law(rung, spec.members, spec.seed, number)};
+    Trainer trainer(trained.law, options_of(spec), std::ssize(data.set.histories), data.hash);
+    if (trainer.load(state)) fmt::print(stderr, "going on after epoch {}\n", trainer.epochs());
+    while (!trainer.done()) {
+        const EpochReport report = trainer.epoch(data.training, data.validation);
+        tell(rung, report);
+        trainer.save(state);
+        if (stop_asked()) return {};
+    }
+    trainer.finish();
+    if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get())) set_ranges(*elements, data.training);
+    trained.epochs = trainer.epochs();
+    trained.validation = trainer.best();
+    trained.seconds = seconds() - start;
+    return trained;
+}
+
+}  // namespace sandgraph::training

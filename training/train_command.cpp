@@ -1,0 +1,88 @@
+#include "training/train_command.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+#include "revision_define.hpp"
+#include "surrogate/load_surrogate.hpp"
+#include "surrogate/model_file.hpp"
+#include "training/card.hpp"
+#include "training/evaluate.hpp"
+#include "training/export_model.hpp"
+#include "training/noise_floor.hpp"
+#include "training/stop.hpp"
+
+namespace sandgraph::training {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int done = 0, stopped = 3;
+
+fs::path beside(const std::string& out, const std::string& ending) {
+    return fs::path(out).replace_extension(ending);
+}
+
+void add_tables(const TrainingData& data, const Law& law, Rung rung, std::vector<ErrorTable>& tables) {
+    const auto add = [&](const char* name, const std::vector<Batch>& batches) {
+        if (!batches.empty())
+            tables.push_back({name_of(rung), name, error_rows(data.set, evaluate(law, batches))});
+    };
+    add("new seeds", data.new_seeds);
+    add("known seeds", data.known_seeds);
+}
+
+void write_model(const scene::TrainSpec& spec, const TrainingData& data, const Law& law,
+                 const std::string& out) {
+    const auto* elements = dynamic_cast<const ElementLaw*>(&law);
+    if (!elements) return;
+    surrogate::Model model = export_model(*elements, spec.step_most);
+    model.data_hash = data.hash;
+    model.description = fmt::format("{} from {}", name_of(spec.rung), spec.file);
+    surrogate::write_model(out, model);
+    surrogate::load_surrogate(out);  // refuses what cannot be served
+}
+
+void check_servable(const scene::TrainSpec& spec) {
+    if (spec.rung == Rung::mlp || spec.rung == Rung::gru)
+        throw InputError({spec.file}, fmt::format("model.rung = \"{}\"", name_of(spec.rung)),
+                         "the baselines are measured by --ladder only and cannot be served",
+                         "write rung = \"learned\"");
+}
+
+}  // namespace
+
+int run(const TrainCommand& command) {
+    const scene::TrainSpec spec = scene::read_train(command.recipe);
+    check_servable(spec);
+    catch_stops();
+    std::vector<std::string> logs = spec.logs;
+    if (!command.probes.empty()) logs.push_back(command.probes);
+    const TrainingData data = load_data(spec, logs);
+    fmt::print(stderr, "histories: {} train, {} validate, {} held out with their seeds, {} of known seeds\n",
+               data.split.training.size(), data.split.validation.size(), data.split.new_seeds.size(),
+               data.split.known_seeds.size());
+    std::vector<ErrorTable> tables;
+    std::optional<Trained> chosen;
+    for (const Rung rung : rungs) {
+        if (!command.ladder && rung != spec.rung) continue;
+        const auto trained =
+            train(data, spec, rung, beside(command.out, fmt::format(".{}.state", name_of(rung))));
+        if (!trained) return stopped;
+        add_tables(data, *trained->law, rung, tables);
+        if (rung == spec.rung) chosen = trained;
+    }
+    const auto floor = noise_floor(data.set, data.rule, spec.strain_max);
+    tables.insert(tables.end(), floor.begin(), floor.end());
+    write_model(spec, data, *chosen->law, command.out);
+    const std::string again = fmt::format("sandgraph train {} -o {}", command.recipe, command.out);
+    io::write_text(beside(command.out, ".card.json"),
+                   model_card(spec, data, *chosen, tables, again, SANDGRAPH_REVISION));
+    io::write_text(beside(command.out, ".errors.csv"), error_csv(tables));
+    fmt::print("{}\n{}: {} epochs, {:.0f} s\n", error_text(tables), command.out, chosen->epochs,
+               chosen->seconds);
+    for (const Rung rung : rungs) fs::remove(beside(command.out, fmt::format(".{}.state", name_of(rung))));
+    return done;
+}
+
+}  // namespace sandgraph::training
