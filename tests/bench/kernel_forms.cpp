@@ -1,17 +1,16 @@
 // Formulations of the contact force loop side by side on one packing in simple shear, and how far the kernel
 // is from the machine. Usage: bench_kernel_forms [PACKING.csv]
 //
-// What was tried besides and did not help (400 disks, Zen 5, AVX-512; same packing, medians):
-// - zero-overhead RVE-per-lane batches: eight RVEs share no contact topology, so every lane gathers for
-// itself; a
-//   gather of eight doubles costs what eight record loads cost, and those already feed the rows here.
-// - staging, law and scatter of neighbouring blocks interleaved by hand: no gain, 2.4 to 2.7 us instead
-// of 2.4.
-// - two or four vectors of the law side by side: a tenth off the law alone, lost again to spilt registers.
-// - contact constants (k_n) stored by pair: 4 %, but 1 us more a visit, when a visit has a few steps.
-// - float for what is not the overlap: f_n and the normal must stay double for 1e-9 of the reference
-// (rounding
-//   them costs 4e-8 a contact), and the rest is 20 of 50 operations, less than its conversions.
+// Tried in a prototype besides, without enough gain (400 disks, Zen 5, AVX-512):
+// - staging, law and scatter of neighbouring blocks interleaved by hand: none, 2.4 to 2.7 us instead of 2.4.
+// - two or four vectors of the law side by side: a tenth off the law alone, lost again with the loads around
+// it.
+// - contact constants (k_n) stored by pair: 4 %, but a pass more at every visit, and a visit has a few steps.
+// Not tried, by estimate only:
+// - RVE-per-lane batches: RVEs share no contact topology, so every lane would gather for itself.
+// - float for what is not the overlap: f_n and the normal must stay double to keep 1e-9 of the reference, and
+// the
+//   rest is 20 of 50 operations, against conversions of every field.
 #include "tests/bench/kernel_forms.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -58,17 +57,32 @@ void print_forms(const bench::Sheared& sheared, double clock, int contacts) {
     const std::vector<Form> forms = {
         {"kernel: pair loop, records transposed in registers",
          [&] { contact_forces(s, kLaw, kStep, nullptr); }},
-        {"pair loop, records staged in memory", [&] { HWY_DYNAMIC_DISPATCH(StagedForces)
-                                                      (s, kLaw, kStep); }},
-        {"pair loop, two RVEs in turn", [&] { HWY_DYNAMIC_DISPATCH(TwoRves)
-                                              (s, other, kLaw, kStep); }, 2},
+        {"pair loop, records staged in memory",
+         [&] {
+             HWY_DYNAMIC_DISPATCH(StagedForces)
+             (s, kLaw, kStep);
+         }},
+        {"pair loop, two RVEs in turn",
+         [&] {
+             HWY_DYNAMIC_DISPATCH(TwoRves)
+             (s, other, kLaw, kStep);
+         },
+         2},
         {"pair loop, forces gathered by grain",
-         [&] { HWY_DYNAMIC_DISPATCH(ForceGather)
-               (s, kLaw, kStep, grains); }},
-        {"grain loop, each pair twice", [&] { HWY_DYNAMIC_DISPATCH(GrainGather)
-                                              (s, kLaw, kStep, grains); }},
-        {"(kernel without its scatter)", [&] { HWY_DYNAMIC_DISPATCH(LawOnly)
-                                               (s, kLaw, kStep); }},
+         [&] {
+             HWY_DYNAMIC_DISPATCH(ForceGather)
+             (s, kLaw, kStep, grains);
+         }},
+        {"grain loop, each pair twice",
+         [&] {
+             HWY_DYNAMIC_DISPATCH(GrainGather)
+             (s, kLaw, kStep, grains);
+         }},
+        {"(kernel without its scatter)",
+         [&] {
+             HWY_DYNAMIC_DISPATCH(LawOnly)
+             (s, kLaw, kStep);
+         }},
     };
     std::vector<std::function<void()>> runs;
     for (const Form& form : forms) runs.push_back(form.run);
