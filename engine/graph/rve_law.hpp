@@ -6,7 +6,7 @@
 
 #include "dem/observables.hpp"
 #include "dem/rve.hpp"
-#include "graph/plane_moduli.hpp"
+#include "graph/visits.hpp"
 #include "stress/law.hpp"
 
 namespace sandgraph::graph {
@@ -24,6 +24,7 @@ struct RveLawSetup {
     std::vector<std::int32_t> row_of_point;  // [points]
     double update_tolerance = 0.0025;        // error of the predicted stress aimed at, as a share of p
     double update_change_max = 0.05;  // largest predicted stress change between two DEM updates, share of p
+    VisitSettings visits() const;
 };
 
 struct RveCounters {
@@ -77,22 +78,17 @@ class RveLaw : public stress::Law {
         std::int32_t point;
         double expected_steps;
     };
-    double scale(const Stress& s) const;  // max(p, pressure floor)
-    void predict_point(std::int32_t point, const Mat2& F_inc, Stress& s);
-    double next_allowance(double change, double error) const;
     void drive_point(std::size_t slot, const stress::Batch& batch);
     void assign_records();
     void record(std::size_t slot, const Mat2& F_inc);
 
     RveLawSetup setup_;
+    Visits visits_;
     std::vector<dem::Rve> rves_;
-    std::vector<Mat2> collected_;    // by point: deformation since its last DEM update
-    std::vector<Stress> change_;     // by point: predicted stress change since then
-    std::vector<double> allowance_;  // by point: predicted change at which the grains are asked, share of p
-    std::vector<std::uint8_t> waited_;  // by point: its stress was a prediction in the last step
     std::vector<Due> due_;
     std::vector<dem::RveReport> reports_;                         // by slot of due_
     std::vector<double> errors_;                                  // by slot of due_
+    std::vector<std::uint8_t> waited_;                            // by slot of due_: Visits::answered
     std::vector<std::uint8_t> watch_;                             // by point
     std::vector<RveUpdate> watched_;                              // in the order of due_
     std::vector<std::int32_t> record_of_;                         // by slot of due_: in watched_, or -1

@@ -77,7 +77,7 @@ ScreeningLaw::Outcome ScreeningLaw::answer(std::int32_t p, const stress::Batch& 
     const Stress by_grains = tension_positive(rves_[p].stress());
     Stress now = by_grains;
     add(now, blend_[p]);
-    const VisitSettings settings = grain_visits();
+    const VisitSettings settings = setup_.grains.visits();
     const double reference = reference_pressure(by_grains, settings.pressure_floor);
     out.error = norm(difference(now, batch.stress[p])) / reference;
     out.waited = visits_.answered(p, reference, out.error, settings);

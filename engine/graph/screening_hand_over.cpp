@@ -89,7 +89,7 @@ void ScreeningLaw::switch_point(std::int32_t p, const stress::Batch& batch, doub
     mode_[p] = PointMode::blending;
     fading_.push_back(p);
     ++dem_points_;
-    const double jump = norm(blend_[p]) / reference_pressure(now, grain_visits().pressure_floor);
+    const double jump = norm(blend_[p]) / reference_pressure(now, setup_.grains.visits().pressure_floor);
     switches_.push_back({screening_.steps, d_over_B, p, reason_[p], jump});
 }
 

@@ -68,7 +68,7 @@ void ScreeningLaw::update(const stress::Batch& batch) {
 }
 
 void ScreeningLaw::predict(const stress::Batch& batch) {
-    const VisitSettings by_grains = grain_visits();
+    const VisitSettings by_grains = setup_.grains.visits();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batch.points.size(), kPredictGrain),
                       [&](const auto& range) {
                           for (std::size_t k = range.begin(); k < range.end(); ++k)
@@ -101,11 +101,6 @@ const RowPacking& ScreeningLaw::row(std::int32_t point) const {
 
 const stress::PackingTraits& ScreeningLaw::traits(std::int32_t point) const {
     return setup_.traits[static_cast<std::size_t>(setup_.grains.row_of_point[point])];
-}
-
-VisitSettings ScreeningLaw::grain_visits() const {
-    const RveLawSetup& g = setup_.grains;
-    return {g.update_tolerance, g.update_change_max, g.options.pressure_floor};
 }
 
 std::int64_t ScreeningLaw::dem_steps() const {

@@ -57,7 +57,6 @@ class ScreeningLaw : public stress::Law {
     void load(ByteReader& in);
     const RowPacking& row(std::int32_t point) const;
     const stress::PackingTraits& traits(std::int32_t point) const;
-    VisitSettings grain_visits() const;
     void predict_point(std::int32_t point, const stress::Batch& batch, const VisitSettings& by_grains);
     void add_visit(std::int32_t point);
     void add_job(std::int32_t point, Task task, const dem::Rve& rve, double strain);

@@ -16,27 +16,12 @@ double next_allowance(double change, double error, const VisitSettings& settings
 
 }  // namespace
 
-double reference_pressure(const Stress& s, double floor) { return std::max(mean_stress(s), floor); }
-
 Visits::Visits(std::size_t points)
     : collected_(points, Mat2::Identity()),
       change_(points),
       allowance_(points, 0),
       waited_(points, 0),
       due_(points, 0) {}
-
-void Visits::predict(std::int32_t point, const PlaneModuli& moduli, const Mat2& F_inc, bool floating,
-                     const VisitSettings& settings, Stress& s) {
-    const auto p = static_cast<std::size_t>(point);
-    const Stress d = elastic_change(moduli, F_inc);
-    collected_[p] = F_inc * collected_[p];
-    add(change_[p], d);
-    if (!floating) turn(s, F_inc), add(s, d);
-    const double allowance = allowance_[p] > 0 ? allowance_[p] : settings.tolerance;
-    // Not `change >= allowed`: a NaN must reach the law, which refuses it by name.
-    due_[p] = !(norm(change_[p]) < allowance * reference_pressure(s, settings.pressure_floor));
-    if (!due_[p]) waited_[p] = 1;
-}
 
 bool Visits::answered(std::int32_t point, double reference, double error, const VisitSettings& settings) {
     const auto p = static_cast<std::size_t>(point);

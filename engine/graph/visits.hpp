@@ -1,9 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "base/byte_stream.hpp"
 #include "graph/plane_moduli.hpp"
+#include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {
 
@@ -13,6 +15,9 @@ struct VisitSettings {
     double change_max = 0.05;      // largest predicted stress change between two answers, share of p
     double pressure_floor = 1000;  // p below which shares are of this [Pa]
 };
+
+// max(p, floor) [Pa].
+inline double reference_pressure(const Stress& s, double floor) { return std::max(mean_stress(s), floor); }
 
 // A law is asked for a point's stress only now and then: between two answers the stress follows a stiffness.
 // How far it may go before the next one is each point's own allowance, which grows while predictions come
@@ -45,6 +50,19 @@ class Visits {
     std::vector<std::uint8_t> waited_, due_;  // waited: the last step's stress was a prediction
 };
 
-double reference_pressure(const Stress& s, double floor);  // max(p, floor) [Pa]
+// Here to be inlined: it runs for every point at every step.
+inline void Visits::predict(std::int32_t point, const PlaneModuli& moduli, const Mat2& F_inc, bool floating,
+                            const VisitSettings& settings, Stress& s) {
+    const auto p = static_cast<std::size_t>(point);
+    const Stress d = elastic_change(moduli, F_inc);
+    collected_[p] = F_inc * collected_[p];
+    Stress& change = change_[p];
+    add(change, d);
+    if (!floating) turn(s, F_inc), add(s, d);
+    const double allowance = allowance_[p] > 0 ? allowance_[p] : settings.tolerance;
+    // Not `change >= allowed`: a NaN must reach the law, which refuses it by name.
+    due_[p] = !(norm(change) < allowance * reference_pressure(s, settings.pressure_floor));
+    if (!due_[p]) waited_[p] = 1;
+}
 
 }  // namespace sandgraph::graph
