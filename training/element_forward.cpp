@@ -4,9 +4,9 @@ namespace sandgraph::training::fused {
 
 template <class T>
 void Forward<T>::features(const Range<T>& range, const Given<T>& g, const State<T>& s) {
-    V re = s.re[0], im = s.im[0];
-    for (int k = 1; k < M; ++k) re += s.re[k], im += s.im[k];
-    ratio_re = re / s.p, ratio_im = im / s.p;
+    V sum_re = s.re[0], sum_im = s.im[0];
+    for (int k = 1; k < M; ++k) sum_re += s.re[k], sum_im += s.im[k];
+    ratio_re = sum_re / s.p, ratio_im = sum_im / s.p;
     log_p = s.p.log();
     eta = (ratio_re.square() + ratio_im.square() + T(1e-4)).sqrt();
     x = {(log_p - T(std::log(1e4))) / T(3),

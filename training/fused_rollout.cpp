@@ -46,7 +46,7 @@ Blocks<T> blocks_of(const Batch& batch) {
     const Tensor e = (((1 + batch.e0) * batch.J - 1 - 0.22) / 0.04).contiguous();
     const auto count = static_cast<std::size_t>((batch.size() + lanes - 1) / lanes);
     for (std::size_t block = 0; block < count; ++block) {
-        Given<T> g;
+        Given<T> g{};
         fill_constants(batch, block, g);
         std::vector<Given<T>> steps(static_cast<std::size_t>(batch.steps()), g);
         for (std::int64_t t = 0; t < batch.steps(); ++t) {

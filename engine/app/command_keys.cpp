@@ -8,6 +8,7 @@
 #include "scene/probe_spec.hpp"
 #include "scene/recipe_spec.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/train_spec.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -24,6 +25,8 @@ std::string help_of(const std::string& what) {
     if (what == "isotropic") return test_help(scene::TestKind::isotropic);
     scene::ProbeSpec probe;
     if (what == "probe") return scene::key_help(scene::probe_keys(probe));
+    scene::TrainSpec train;
+    if (what == "train") return scene::key_help(scene::train_keys(train));
     scene::RecipeSpec recipe;
     if (what == "recipe") return scene::key_help(scene::recipe_keys(recipe));
     scene::Scene scene;
@@ -36,8 +39,8 @@ void add_keys_command(CLI::App& app, int&) {
     CLI::App* keys =
         app.add_subcommand("keys", "lists every key of an input file with default, unit and range");
     auto what = std::make_shared<std::string>("scene");
-    keys->add_option("file", *what, "scene, recipe, probe, path, biaxial or isotropic")
-        ->check(CLI::IsMember({"scene", "recipe", "probe", "path", "biaxial", "isotropic"}));
+    keys->add_option("file", *what, "scene, recipe, probe, train, path, biaxial or isotropic")
+        ->check(CLI::IsMember({"scene", "recipe", "probe", "train", "path", "biaxial", "isotropic"}));
     keys->callback([what] { fmt::print("{}", help_of(*what)); });
 }
 

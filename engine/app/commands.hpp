@@ -8,6 +8,7 @@ namespace sandgraph::app {
 
 // Each command registers itself and, when it runs, writes its exit code. Errors leave as exceptions.
 void add_rve_command(CLI::App& app, int& exit_code);
+void add_train_command(CLI::App& app, int& exit_code);
 void add_report_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_keys_command(CLI::App& app, int& exit_code);

@@ -25,7 +25,7 @@ inline training::HistorySet random_histories(int count, int rows) {
         set.packings.push_back(random_packing(random, h % 5));
         training::History history;
         history.packing = h;
-        Mat2 gradient;
+        Mat2 gradient = Mat2::Zero();
         for (int row = 0; row < rows; ++row) {
             if (row % 20 == 0)
                 for (int k = 0; k < 4; ++k) gradient(k / 2, k % 2) = random.uniform(-1, 1);

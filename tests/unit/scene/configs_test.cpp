@@ -3,6 +3,7 @@
 #include "scene/element_test_spec.hpp"
 #include "scene/probe_spec.hpp"
 #include "scene/recipe_spec.hpp"
+#include "scene/train_spec.hpp"
 #include "tests/unit/scene/refused.hpp"
 
 namespace sandgraph::scene {
@@ -19,6 +20,8 @@ TEST(Configs, AllAreValid) {
             EXPECT_NO_THROW(read_recipe(entry.path().string())) << name;
         else if (name.starts_with("probe"))
             EXPECT_NO_THROW(read_probe(entry.path().string())) << name;
+        else if (name.starts_with("train"))
+            EXPECT_NO_THROW(read_train(entry.path().string())) << name;
         else if (name == "biaxial.toml" || name == "path.toml")
             EXPECT_NO_THROW(read_element_test(entry.path().string())) << name;
         else

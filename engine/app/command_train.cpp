@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "app/probe.hpp"
+#include "app/stage_progress.hpp"
+#include "scene/train_spec.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string recipe, out;
+    bool ladder = false;
+};
+
+// The trainer is a program of its own: libtorch costs every process that loads it a second and 160 MB.
+fs::path trainer() {
+    fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "sandgraph-train";
+    if (!fs::exists(program))
+        throw std::runtime_error(
+            "training needs libtorch, which was missing when this was built; install the Debian package "
+            "libtorch-dev and build again (./sandgraph train does both)");
+    return program;
+}
+
+// The log of the recipe's probes, beside the model; made once for the same probe recipe.
+std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
+    if (spec.probe.empty()) return "";
+    const fs::path log = fs::path(out).replace_extension(".probes.h5");
+    if (fs::exists(log) && fs::last_write_time(log) > fs::last_write_time(spec.probe)) return log.string();
+    StageProgress progress;
+    write_probe(scene::read_probe(spec.probe), log,
+                [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    return log.string();
+}
+
+[[noreturn]] void become(const fs::path& program, std::vector<std::string> arguments) {
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    ::execv(program.c_str(), argv.data());
+    throw std::system_error(errno, std::generic_category(), program.string());
+}
+
+void run(const Options& options) {
+    const scene::TrainSpec spec = scene::read_train(options.recipe);
+    const fs::path program = trainer();
+    const std::string probes = probe_log(spec, options.out);
+    std::vector<std::string> arguments{program.string(), options.recipe, "-o", options.out};
+    if (!probes.empty()) arguments.insert(arguments.end(), {"--probes", probes});
+    if (options.ladder) arguments.emplace_back("--ladder");
+    become(program, std::move(arguments));
+}
+
+}  // namespace
+
+void add_train_command(CLI::App& app, int&) {
+    CLI::App* train = app.add_subcommand("train", "trains a surrogate from history logs and probes");
+    auto options = std::make_shared<Options>();
+    train->add_option("recipe", options->recipe, "TOML file; `sandgraph keys train` lists its keys")
+        ->required();
+    train->add_option("-o,--out", options->out, "model to write, HDF5; its card and errors go beside it")
+        ->required();
+    train->add_flag("--ladder", options->ladder, "train and measure every rung, not only the recipe's");
+    train->callback([options] { run(*options); });
+}
+
+}  // namespace sandgraph::app
