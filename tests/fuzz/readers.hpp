@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <ostream>
 #include <span>
 
 namespace sandgraph::fuzz {
@@ -14,6 +15,9 @@ struct Reader {
 };
 
 std::span<const Reader> readers();
+
+// How GoogleTest names a reader; its bytes hold addresses, other ones in every process.
+inline void PrintTo(const Reader& reader, std::ostream* out) { *out << reader.name; }
 
 // Reads the file; InputError is an answer, and its text must hold exactly one line.
 void read_hostile(const Reader& reader, const std::filesystem::path& file);

@@ -74,7 +74,8 @@ const io::HistoryLog& log() {
 // The log is the packing's history: driven through the row's initial packing it gives the logged stress.
 TEST(HistoryRecorder, LoggedIncrementsReplayToTheLoggedStressBitForBit) {
     const scene::Ground& g = small_scene().ground;
-    const dem::RveOptions options = rve_options(g.rve, g.grains.material, g.grains.radius_min);
+    const dem::RveOptions options =
+        rve_options(g.rve, g.grains.material, ground().rows[0].packing->grains->radius);
     dem::Workspace work;
     std::size_t replayed = 0;
     for (std::size_t h = 0; h < log().histories.size(); ++h) {

@@ -10,16 +10,16 @@ constexpr const char* kScene = R"(
 title = "Plate & <sand>"
 [domain]
 width = "2 m"
-depth = "3 m"
+depth = "4 m"
 cell = "0.25 m"
 [anchor]
 embedment_ratio = 1
 thickness = "0.25 m"
-pull_to = 0.01
+pull_to = 0.02
 [ground]
 law = "elastic"
 [output]
-frames = [0, 0.01]
+frames = [0, 0.02]
 load_every = 0.0005
 )";
 
