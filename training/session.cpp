@@ -8,9 +8,9 @@
 #include <cstdio>
 
 #include "base/hash.hpp"
+#include "base/interrupt.hpp"
 #include "training/element_law.hpp"
 #include "training/export_model.hpp"
-#include "training/stop.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -76,7 +76,7 @@ std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& s
         const EpochReport report = trainer.epoch(data.training, data.validation);
         tell(rung, report);
         trainer.save(state);
-        if (stop_asked()) return {};
+        if (interrupted()) return {};
     }
     trainer.finish();
     if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get())) set_ranges(*elements, data.training);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "io/atomic_file.hpp"
 #include "revision_define.hpp"
 #include "surrogate/load_surrogate.hpp"
@@ -11,7 +12,6 @@
 #include "training/evaluate.hpp"
 #include "training/export_model.hpp"
 #include "training/noise_floor.hpp"
-#include "training/stop.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -57,7 +57,7 @@ void check_servable(const scene::TrainSpec& spec) {
 int run(const TrainCommand& command) {
     const scene::TrainSpec spec = scene::read_train(command.recipe);
     check_servable(spec);
-    catch_stops();
+    catch_interrupts();
     std::vector<std::string> logs = spec.logs;
     if (!command.probes.empty()) logs.push_back(command.probes);
     const TrainingData data = load_data(spec, logs);

@@ -6,11 +6,11 @@
 
 #include "app/build_screening.hpp"
 #include "app/grain_use.hpp"
-#include "app/interrupt.hpp"
 #include "app/make_frame.hpp"
 #include "app/progress.hpp"
 #include "app/revision.hpp"
 #include "base/hash.hpp"
+#include "base/interrupt.hpp"
 #include "graph/screening_law.hpp"
 #include "io/checkpoint.hpp"
 #include "scene/scene_hash.hpp"

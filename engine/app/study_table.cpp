@@ -29,8 +29,7 @@ std::vector<StudyRow> study_rows(const StrainHistory& history, const std::vector
     std::vector<StudyRow> rows;
     for (std::size_t k = 0; k < settings.size(); ++k) {
         rows.push_back(row(history, settings[k], runs[k]));
-        rows.back().error =
-            study_error(runs[k], runs[study_reference], history, study_floor);
+        rows.back().error = study_error(runs[k], runs[study_reference], history, study_floor);
     }
     for (StudyRow& r : rows) r.of_peers = r.dem_steps / std::max(1.0, rows[study_peers].dem_steps);
     return rows;

@@ -15,9 +15,9 @@ namespace {
 
 void remove_stale(const fs::path& folder) {
     const fs::path checkpoint = folder / checkpoint_name;
-    for (const fs::path& path : {checkpoint, previous_checkpoint(checkpoint), folder / "run.h5",
-                                 folder / "summary.json", folder / "fields.xdmf", folder / "history.h5",
-                                 folder / "history.part"})
+    for (const fs::path& path :
+         {checkpoint, previous_checkpoint(checkpoint), folder / "run.h5", folder / "summary.json",
+          folder / "fields.xdmf", folder / "history.h5", folder / "history.part"})
         fs::remove(path);
 }
 

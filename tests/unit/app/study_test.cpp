@@ -17,8 +17,7 @@ const StudySample& sample() {
         dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv"),
                             material);
         a.step(Mat2::Zero(), 1e-5, 4000);
-        return StudySample{
-            {dem::compact(a.packing(), material, a.stress()), {2.0e7, 1.4e7}}, material};
+        return StudySample{{dem::compact(a.packing(), material, a.stress()), {2.0e7, 1.4e7}}, material};
     }();
     return packing;
 }

@@ -1,9 +1,9 @@
-#include "app/interrupt.hpp"
+#include "base/interrupt.hpp"
 
 #include <atomic>
 #include <csignal>
 
-namespace sandgraph::app {
+namespace sandgraph {
 namespace {
 
 std::atomic<bool> asked{false};
@@ -25,4 +25,4 @@ void catch_interrupts() {
 
 bool interrupted() { return asked.load(); }
 
-}  // namespace sandgraph::app
+}  // namespace sandgraph
