@@ -1,16 +1,31 @@
 #include "dem/fast.hpp"
 
 #include <Eigen/LU>
+#include <numeric>
 
 #include "dem/fast_packing.hpp"
+#include "dem/grain_order.hpp"
 #include "dem/observe.hpp"
 
 namespace sandgraph::dem {
+namespace {
+
+// A small packing lies in the nearest cache in any order and keeps that of its maker.
+std::vector<int> memory_order(const Packing& packing) {
+    constexpr std::size_t kSmall = 1000;
+    if (packing.size() > kSmall) return strip_order(packing);
+    std::vector<int> as_given(packing.size());
+    std::iota(as_given.begin(), as_given.end(), 0);
+    return as_given;
+}
+
+}  // namespace
 
 FastAssembly::FastAssembly(const Packing& packing, const Material& material)
-    : material_(material), constants_(kernel_constants(material)) {
-    load(packing, material, state_);
-    neighbours_.relist(state_, packing.contacts);
+    : material_(material), constants_(kernel_constants(material)), order_(memory_order(packing)) {
+    const Packing ordered = reordered(packing, order_);
+    load(ordered, material, state_);
+    neighbours_.relist(state_, ordered.contacts);
     stress_ = love_weber_stress(packing, contact_forces(packing, material), material);
 }
 
@@ -36,5 +51,7 @@ Observables FastAssembly::observe() {
     for (std::size_t g = 0; g < p.size(); ++g) p.x[g] -= dt_ * p.vx[g], p.y[g] -= dt_ * p.vy[g];
     return dem::observe(p, contact_forces(p, material_), material_);
 }
+
+Packing FastAssembly::packing() const { return reordered(unload(state_), inverse_order(order_)); }
 
 }  // namespace sandgraph::dem

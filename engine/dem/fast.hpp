@@ -15,7 +15,7 @@ class FastAssembly : public Assembly {
     Mat2 stress() override { return stress_; }
     Observables observe() override;
     Mat2 cell() const override { return state_.H_force; }
-    Packing packing() const override { return unload(state_); }
+    Packing packing() const override;
     void set_friction(double tangent) override { constants_.friction = tangent; }
     int pairs() const { return state_.pairs; }
     long rebuilds() const { return rebuilds_; }
@@ -23,6 +23,7 @@ class FastAssembly : public Assembly {
   private:
     Material material_;
     KernelConstants constants_;
+    std::vector<int> order_;  // grain k of state_ is grain order_[k] of the packing
     FastState state_;
     NeighbourList neighbours_;
     Mat2 stress_ = Mat2::Zero();
