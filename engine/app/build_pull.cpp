@@ -115,7 +115,12 @@ graph::PullPlan plan_of(const scene::Scene& scene) {
 double embedment(const scene::Anchor& anchor) { return anchor.embedment_ratio * anchor.width; }
 
 double unit_load(const scene::Scene& scene, const PreparedGround& ground) {
-    return scene.anchor.width * ground.density * scene.ground.gravity * embedment(scene.anchor);
+    const double gamma = ground.density * scene.ground.gravity;
+    return scene.anchor.width * (gamma * embedment(scene.anchor) + scene.ground.surcharge);
+}
+
+double equivalent_embedment(const scene::Scene& scene, const PreparedGround& ground) {
+    return unit_load(scene, ground) / (ground.density * scene.ground.gravity * scene.anchor.width);
 }
 
 double whole_plate_factor(const scene::Scene& scene) { return horizontal(scene) ? 2 : 1; }

@@ -10,8 +10,10 @@ namespace sandgraph::app {
 // The simulation of a checked scene on prepared ground, at rest before the first step.
 std::unique_ptr<graph::Pull> build_pull(const scene::Scene& scene, const PreparedGround& ground);
 
-// H [m], and B gamma H [N/m], the load that N_gamma counts in.
+// H [m], and with a surcharge q_s the embedment H + q_s/gamma [m] that has the same overburden.
 double embedment(const scene::Anchor& anchor);
+double equivalent_embedment(const scene::Scene& scene, const PreparedGround& ground);
+// B (gamma H + q_s) [N/m], the load that N_gamma counts in.
 double unit_load(const scene::Scene& scene, const PreparedGround& ground);
 
 // Loads of a half model are doubled here and nowhere else.

@@ -1,5 +1,9 @@
 #include "app/make_frame.hpp"
 
+#include <tbb/parallel_for.h>
+
+#include <map>
+
 #include "graph/screening_law.hpp"
 
 namespace sandgraph::app {
@@ -19,10 +23,38 @@ using Two = std::array<double, 2>;
 using Three = std::array<double, 3>;
 using Four = std::array<double, 4>;
 
+// Of every point; points that still share their row's packing are looked at once.
+std::vector<dem::Observables> observe_all(const graph::RveLaw& law, std::size_t n) {
+    std::map<const dem::CompactPacking*, dem::Observables> shared;
+    std::vector<dem::Observables> out(n);
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t p) {
+        if (law.rve(p).owns_packing()) out[p] = law.observe(p);
+    });
+    for (std::size_t p = 0; p < n; ++p) {
+        if (law.rve(p).owns_packing()) continue;
+        const auto [place, fresh] = shared.try_emplace(&law.rve(p).packing());
+        if (fresh) place->second = law.observe(p);
+        out[p] = place->second;
+    }
+    return out;
+}
+
+void add_fabric(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
+    const std::vector<dem::Observables> seen = observe_all(law, n);
+    frame.fields.push_back(field("fabric", "-", 3, n, [&](std::size_t p) {
+        return Three{seen[p].fabric(0, 0), seen[p].fabric(1, 1), seen[p].fabric(0, 1)};
+    }));
+    frame.fields.push_back(
+        field("fabric anisotropy", "-", 1, n, [&](std::size_t p) { return One{seen[p].anisotropy}; }));
+    frame.fields.push_back(
+        field("coordination number", "-", 1, n, [&](std::size_t p) { return One{seen[p].coordination}; }));
+}
+
 void add_rve_fields(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
     frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) { return One{law.porosity(p)}; }));
     frame.fields.push_back(field("owns packing", "-", 1, n,
                                  [&](std::size_t p) { return One{double(law.rve(p).owns_packing())}; }));
+    add_fabric(law, n, frame);
 }
 
 void add_screening_fields(const graph::ScreeningLaw& law, std::size_t n, io::Frame& frame) {

@@ -13,7 +13,7 @@ struct PictureSource {
     const scene::Scene& scene;
     const io::RunRecord& record;
     std::filesystem::path frame_file;
-    double unit_load = 1;       // B gamma H [N/m]
+    double unit_load = 1;       // B (gamma H + q_s) [N/m]
     double friction_angle = 0;  // measured on the packing [rad]; 0: unknown
 };
 

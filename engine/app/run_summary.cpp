@@ -36,8 +36,10 @@ void add_loads(const RunSession& session, const scene::Scene& scene, const Prepa
     s.late_load = report::late_load(curve.d, curve.load);
     s.extra.emplace_back("breakout_criterion", static_cast<double>(breakout.kind));
     if (ground.friction_angle <= 0) return;
-    s.n_gamma_meyerhof_adams = report::meyerhof_adams(scene.anchor.embedment_ratio, ground.friction_angle);
-    s.n_gamma_biarez = report::biarez(scene.anchor.embedment_ratio, ground.friction_angle);
+    const double ratio = equivalent_embedment(scene, ground) / scene.anchor.width;
+    s.n_gamma_meyerhof_adams = report::meyerhof_adams(ratio, ground.friction_angle);
+    s.n_gamma_biarez = report::biarez(ratio, ground.friction_angle);
+    s.extra.emplace_back("equivalent_embedment_ratio", ratio);
     s.extra.emplace_back("friction_angle_deg", ground.friction_angle * kDegrees);
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "dem/observables.hpp"
+#include "dem/observe.hpp"
 #include "dem/rve.hpp"
 #include "graph/visits.hpp"
 #include "stress/law.hpp"
@@ -72,6 +72,8 @@ class RveLaw : public stress::Law {
     const dem::Rve& rve(std::size_t point) const { return rves_[point]; }
     // Deformation since the last DEM update is not in the packing yet; this includes it.
     double porosity(std::size_t point) const;
+    // What the point's packing shows as it was left by its last DEM update, in the lab frame.
+    dem::Observables observe(std::size_t point) const { return dem::observe(rves_[point], setup_.material); }
 
   private:
     struct Due {
