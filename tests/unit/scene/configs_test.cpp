@@ -13,7 +13,7 @@ const std::string configs = std::string(SANDGRAPH_SOURCE) + "/configs/";
 
 // Examples that nobody runs rot; the scenes are told from recipes and tests by their names.
 TEST(Configs, AllAreValid) {
-    for (const auto& entry : std::filesystem::directory_iterator(configs)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(configs)) {
         const std::string name = entry.path().filename().string();
         if (entry.path().extension() != ".toml") continue;
         if (name.starts_with("rve_"))
