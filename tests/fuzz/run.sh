@@ -9,14 +9,16 @@ top=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..
 bin=$top/build/fuzz
 executions=${1:?how many executions}
 shift
-[ $# -gt 0 ] || set -- scene element_test recipe segments packing_csv packing_h5 info checkpoint resealed
+[ $# -gt 0 ] || set -- scene element_test recipe probe train segments packing_csv packing_h5 info checkpoint resealed \
+    history_h5 model_h5 run_h5
 for reader in "$@"; do
     corpus=$bin/corpus/$reader
     mkdir -p "$corpus"
     "$bin/tests/fuzz/fuzz_$reader" --sample "$corpus/sample"
     echo "== $reader"
     # An allocation over 256 MiB, a run over 10 s and a leak are findings, too.
-    "$bin/tests/fuzz/fuzz_$reader" "$corpus" -runs="$executions" -max_len=16384 -timeout=10 -malloc_limit_mb=256 \
+    longest=$(($(stat -c %s "$corpus/sample") * 5 / 4 + 4096))
+    "$bin/tests/fuzz/fuzz_$reader" "$corpus" -runs="$executions" -max_len=$longest -timeout=10 -malloc_limit_mb=256 \
         -rss_limit_mb=2048 -artifact_prefix="$bin/$reader-" -print_final_stats=1 2>&1 |
         grep -E "ERROR|SUMMARY|Test unit|stat::(number_of_executed|average_exec|peak_rss)|logic_error" || true
 done
