@@ -14,6 +14,7 @@ void add_rve_command(CLI::App& app, int&) {
     add_rve_bench(*rve);
     add_rve_study(*rve);
     add_rve_table(*rve);
+    add_rve_critical(*rve);
     add_rve_probe(*rve);
 }
 

@@ -27,9 +27,21 @@ dem::PathTest path_test(const scene::ElementTestSpec& spec) {
 
 dem::BiaxialTest biaxial_test(const scene::ElementTestSpec& spec, double modulus) {
     dem::BiaxialTest test;
-    test.confining_pressure = spec.confining_pressure;
-    test.axial_rate = spec.axial_rate;
-    test.axial_strain = spec.axial_strain;
+    test.confining_pressure = spec.pressure;
+    test.axial_rate = spec.rate;
+    test.axial_strain = spec.strain;
+    test.sample_strain = spec.strain_every;
+    test.modulus = modulus;
+    test.relax_steps = spec.relax_steps;
+    test.dt = spec.time_step;
+    return test;
+}
+
+dem::ShearTest shear_test(const scene::ElementTestSpec& spec, double modulus) {
+    dem::ShearTest test;
+    test.pressure = spec.pressure;
+    test.rate = spec.rate;
+    test.strain = spec.strain;
     test.sample_strain = spec.strain_every;
     test.modulus = modulus;
     test.relax_steps = spec.relax_steps;
@@ -39,8 +51,8 @@ dem::BiaxialTest biaxial_test(const scene::ElementTestSpec& spec, double modulus
 
 dem::IsotropicTest isotropic_test(const scene::ElementTestSpec& spec, double modulus) {
     dem::IsotropicTest test;
-    test.pressure = spec.confining_pressure;
-    test.rate = spec.axial_rate;
+    test.pressure = spec.pressure;
+    test.rate = spec.rate;
     test.modulus = modulus;
     test.relax_steps = spec.relax_steps;
     test.sample_every = spec.sample_every;
@@ -72,6 +84,21 @@ std::string summary(const std::vector<dem::BiaxialRow>& rows) {
                        peak.friction_angle * 180 / std::numbers::pi, 100 * peak.axial_strain);
 }
 
+std::string summary(const std::vector<dem::ShearRow>& rows) {
+    double ratio = 0, count = 0;
+    for (const dem::ShearRow& row : rows)
+        if (2 * row.shear_strain > rows.back().shear_strain) ratio += row.stress_ratio, ++count;
+    return fmt::format("{}; q/p over the late half {:.3f}", summary(rows.back()), ratio / count);
+}
+
+std::string summary(const std::vector<dem::ElementRow>& rows) { return summary(rows.back()); }
+
+template <class Row>
+std::string written(const std::vector<Row>& rows, const std::string& file, const std::string& metadata) {
+    dem::write_element_csv(file, rows, metadata);
+    return summary(rows);
+}
+
 // The step of the DEM itself; in a fast path it only divides the path.
 void check_time_step(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
     if (spec.kind == scene::TestKind::path && spec.mode == scene::Kernel::fast) return;
@@ -87,19 +114,14 @@ void check_time_step(const scene::ElementTestSpec& spec, const dem::Packing& pac
 std::string run_element_test(const scene::ElementTestSpec& spec, const dem::Packing& packing,
                              const std::string& file, const std::string& metadata) {
     check_time_step(spec, packing);
+    if (spec.kind == scene::TestKind::path) return written(run_path(spec, packing), file, metadata);
     const double modulus = dem::typical_modulus(packing, spec.material);
-    if (spec.kind == scene::TestKind::biaxial) {
-        const auto rows =
-            dem::run_biaxial(*make_assembly(spec.mode, packing, spec.material), biaxial_test(spec, modulus));
-        dem::write_element_csv(file, rows, metadata);
-        return summary(rows);
-    }
-    const auto rows = spec.kind == scene::TestKind::path
-                          ? run_path(spec, packing)
-                          : dem::run_isotropic(*make_assembly(spec.mode, packing, spec.material),
-                                               isotropic_test(spec, modulus));
-    dem::write_element_csv(file, rows, metadata);
-    return summary(rows.back());
+    const auto sample = make_assembly(spec.mode, packing, spec.material);
+    if (spec.kind == scene::TestKind::biaxial)
+        return written(dem::run_biaxial(*sample, biaxial_test(spec, modulus)), file, metadata);
+    if (spec.kind == scene::TestKind::simple_shear)
+        return written(dem::run_shear(*sample, shear_test(spec, modulus)), file, metadata);
+    return written(dem::run_isotropic(*sample, isotropic_test(spec, modulus)), file, metadata);
 }
 
 }  // namespace sandgraph::app

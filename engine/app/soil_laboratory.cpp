@@ -2,44 +2,13 @@
 
 #include <tbb/parallel_for.h>
 
-#include <mutex>
-
-#include "app/packing_cache.hpp"
 #include "app/prepare_packing.hpp"
+#include "app/table1_packing.hpp"
+#include "app/tally.hpp"
 #include "dem/observe.hpp"
 
 namespace sandgraph::app {
 namespace {
-
-// Counts finished pieces of work of all threads.
-class Tally {
-  public:
-    Tally(std::size_t all, const dem::Progress& progress) : all_(all), progress_(progress) {}
-    void done(const std::string& stage) {
-        const std::lock_guard lock(telling_);
-        ++done_;
-        if (progress_) progress_(stage, static_cast<double>(done_) / static_cast<double>(all_));
-    }
-
-  private:
-    std::size_t all_, done_ = 0;
-    const dem::Progress& progress_;
-    std::mutex telling_;
-};
-
-scene::Grains sand(const Specimen& specimen, const LaboratoryPlan& plan) {
-    scene::Grains grains;
-    grains.count = plan.grains;
-    grains.seed = specimen.seed;
-    grains.density = specimen.density;
-    grains.target_porosity = specimen.density == "dense" ? 0.16 : 0.20;
-    return grains;
-}
-
-dem::Packing packing_of(const scene::Grains& grains) {
-    return cached_packing(packing_recipe(grains) + "base\n", grains.material,
-                          [&] { return base_packing(grains); });
-}
 
 std::vector<dem::BiaxialRow> biaxial(const dem::Packing& packing, double pressure,
                                      const LaboratoryPlan& plan) {
@@ -51,12 +20,12 @@ std::vector<dem::BiaxialRow> biaxial(const dem::Packing& packing, double pressur
 }
 
 void test_one(Specimen& specimen, const LaboratoryPlan& plan, Tally& tally) {
-    const scene::Grains grains = sand(specimen, plan);
-    const dem::Packing packing = packing_of(grains);
+    const dem::Packing packing = table1_packing(specimen.density, specimen.seed, plan.grains);
     tally.done("packings and biaxial tests");
-    const auto contacts = dem::contact_forces(packing, grains.material);
+    const dem::Material material;
     specimen.porosity = dem::porosity(packing);
-    specimen.coordination = dem::observe(packing, contacts, grains.material).coordination;
+    specimen.coordination =
+        dem::observe(packing, dem::contact_forces(packing, material), material).coordination;
     tbb::parallel_for(std::size_t{0}, specimen.tests.size(), [&](std::size_t k) {
         specimen.tests[k] = biaxial(packing, kConfiningPressures[k], plan);
         tally.done("packings and biaxial tests");

@@ -45,6 +45,8 @@ struct IsotropicTest {
     std::int64_t max_steps = 2'000'000;  // throws std::runtime_error when the pressure is not reached by then
 };
 std::vector<ElementRow> run_isotropic(Assembly& sample, const IsotropicTest& test);
+// The same for the sake of the sample: no rows.
+void compress(Assembly& sample, IsotropicTest test);
 
 // Biaxial test: isotropic compression to the confining pressure, then axial shortening along y at a constant
 // velocity gradient while a servo on the width holds sigma_xx.
@@ -65,6 +67,26 @@ struct BiaxialRow : ElementRow {
     double inertial_number = 0;    // rate d sqrt(rho/p), d = 10 mm, rho = 2650 kg/m3
 };
 std::vector<BiaxialRow> run_biaxial(Assembly& sample, const BiaxialTest& test);
+
+// Simple shear at constant mean stress: isotropic compression to `pressure`, then L_xy = rate while a servo
+// on the area holds the mean stress. The cell is re-reduced as it skews, so strain has no bound.
+struct ShearTest {
+    double pressure = 0;          // (sxx + syy)/2, held [Pa]
+    double rate = 0.1;            // L_xy [1/s]
+    double strain = 1;            // gamma at the end
+    double sample_strain = 5e-3;  // between rows
+    double modulus = 2e7;         // [Pa], see typical_modulus
+    int relax_steps = 2000;
+    double dt = 1e-5;
+};
+struct ShearRow : ElementRow {
+    double shear_strain = 0;       // gamma = F_xy/F_yy
+    double volumetric_strain = 0;  // eps_v = -ln(A/A_0), dilation negative
+    double p = 0, q = 0;           // (s1 + s2)/2, (s1 - s2)/2 [Pa]
+    double stress_ratio = 0;       // q/p
+    double inertial_number = 0;    // rate d sqrt(rho/p), d = 10 mm, rho = 2650 kg/m3
+};
+std::vector<ShearRow> run_shear(Assembly& sample, const ShearTest& test);
 
 // k_n/(2 h) of two mean grains [Pa]: the order of a packing's P-wave modulus; scales the servos.
 double typical_modulus(const Packing& packing, const Material& material);

@@ -7,24 +7,6 @@
 namespace sandgraph::dem {
 namespace {
 
-// Tuned on the dense and loose reference packings for the smallest rms error of sigma_xx.
-constexpr int servo_interval = 2;        // steps
-constexpr double servo_response = 1e-4;  // [s]
-constexpr double servo_memory = 1e-3;    // [s]
-constexpr double servo_limit = 20;       // times the axial rate
-constexpr double grain_diameter = 0.01, grain_density = 2650;
-
-void compress(Assembly& assembly, const BiaxialTest& test) {
-    IsotropicTest isotropic;
-    isotropic.pressure = test.confining_pressure;
-    isotropic.rate = test.axial_rate;
-    isotropic.modulus = test.modulus;
-    isotropic.relax_steps = test.relax_steps;
-    isotropic.dt = test.dt;
-    isotropic.sample_every = static_cast<int>(isotropic.max_steps);
-    run_isotropic(assembly, isotropic);
-}
-
 BiaxialRow biaxial_row(SampleOnStand& sample, double rate) {
     BiaxialRow row;
     static_cast<ElementRow&>(row) = sample.row();
@@ -34,25 +16,29 @@ BiaxialRow biaxial_row(SampleOnStand& sample, double rate) {
     row.p = 0.5 * (s(1, 1) + s(0, 0));
     row.q = 0.5 * (s(1, 1) - s(0, 0));
     row.sin_phi = row.p > 0 ? row.q / row.p : 0;
-    row.inertial_number = row.p > 0 ? rate * grain_diameter * std::sqrt(grain_density / row.p) : 0;
+    row.inertial_number = inertial_number(rate, row.p);
     return row;
 }
 
 void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test) {
     const double missing = test.confining_pressure - sample.assembly().stress()(0, 0);
     Mat2 L = Mat2::Zero();
-    L(0, 0) = -width.rate(missing, servo_interval * test.dt);
+    L(0, 0) = -width.rate(missing, quick_servo_interval * test.dt);
     L(1, 1) = -test.axial_rate;
-    sample.step(L, servo_interval);
+    sample.step(L, quick_servo_interval);
 }
 
 }  // namespace
 
 std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test) {
     assert(test.axial_rate > 0 && test.sample_strain > 0);
-    compress(assembly, test);
+    compress(assembly, {.pressure = test.confining_pressure,
+                        .rate = test.axial_rate,
+                        .modulus = test.modulus,
+                        .relax_steps = test.relax_steps,
+                        .dt = test.dt});
     SampleOnStand sample(assembly, test.dt);
-    StressServo width(test.modulus, servo_response, servo_memory, servo_limit * test.axial_rate);
+    StressServo width = quick_servo(test.modulus, test.axial_rate);
     std::vector<BiaxialRow> rows{biaxial_row(sample, test.axial_rate)};
     while (rows.back().axial_strain < test.axial_strain * (1 - 1e-3)) {
         const double next = static_cast<double>(rows.size()) * test.sample_strain;

@@ -13,6 +13,7 @@ constexpr std::string_view path_columns =
     "step,t,Fxx,Fxy,Fyx,Fyy,hxx,hxy,hyx,hyy,sxx,sxy,syx,syy,n,Nc,Z,Zm,phixx,phixy,phiyy,Fa,slide_frac,"
     "E_el_n,E_el_t,E_el_r,E_k_trans,E_k_rot,un_max";
 constexpr std::string_view biaxial_columns = ",eps_a,eps_v,p,q,sin_phi,I";
+constexpr std::string_view shear_columns = ",gamma,eps_v,p,q,q_over_p,I";
 
 std::string numbers(std::initializer_list<double> values) {
     std::string text;
@@ -36,6 +37,12 @@ std::string line(const BiaxialRow& row) {
            numbers({row.axial_strain, row.volumetric_strain, row.p, row.q, row.sin_phi, row.inertial_number});
 }
 
+std::string line(const ShearRow& row) {
+    return line(static_cast<const ElementRow&>(row)) +
+           numbers({row.shear_strain, row.volumetric_strain, row.p, row.q, row.stress_ratio,
+                    row.inertial_number});
+}
+
 template <class Row>
 void write(const std::filesystem::path& file, std::span<const Row> rows, const std::string& metadata,
            std::string_view more_columns) {
@@ -55,6 +62,11 @@ void write_element_csv(const std::filesystem::path& file, std::span<const Elemen
 void write_element_csv(const std::filesystem::path& file, std::span<const BiaxialRow> rows,
                        const std::string& metadata) {
     write(file, rows, metadata, biaxial_columns);
+}
+
+void write_element_csv(const std::filesystem::path& file, std::span<const ShearRow> rows,
+                       const std::string& metadata) {
+    write(file, rows, metadata, shear_columns);
 }
 
 }  // namespace sandgraph::dem

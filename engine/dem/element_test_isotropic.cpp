@@ -52,4 +52,9 @@ std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& t
     return rows;
 }
 
+void compress(Assembly& sample, IsotropicTest test) {
+    test.sample_every = static_cast<int>(test.max_steps);
+    run_isotropic(sample, test);
+}
+
 }  // namespace sandgraph::dem

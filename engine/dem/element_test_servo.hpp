@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 #include "base/tensor.hpp"
 
@@ -23,5 +24,13 @@ class StressServo {
   private:
     double gain_, memory_, limit_, integral_ = 0;
 };
+
+// The servo of tests that strain a sample at `rate` [1/s] while it holds a stress; tuned on the dense and
+// loose reference packings for the smallest rms error.
+inline constexpr int quick_servo_interval = 2;  // steps
+inline StressServo quick_servo(double modulus, double rate) { return {modulus, 1e-4, 1e-3, 20 * rate}; }
+
+// rate d sqrt(rho/p) of the usual grains, d = 10 mm, rho = 2650 kg/m3; 0 without pressure.
+inline double inertial_number(double rate, double p) { return p > 0 ? rate * 0.01 * std::sqrt(2650 / p) : 0; }
 
 }  // namespace sandgraph::dem

@@ -15,7 +15,7 @@ struct StrainSegment {
     std::int64_t steps = 0;
 };
 
-enum class TestKind { path, biaxial, isotropic };
+enum class TestKind { path, biaxial, isotropic, simple_shear };
 enum class Kernel { reference, fast };
 
 // A checked element test in SI, compression positive. Only the members of its kind have been read.
@@ -30,10 +30,10 @@ struct ElementTestSpec {
     int sample_every = 500;               // path: steps between rows
     std::vector<StrainSegment> segments;  // path
 
-    double confining_pressure = 64e3;  // biaxial: sigma_xx held; isotropic: p at the end [Pa]
-    double axial_rate = 0.1;           // biaxial: compression along y [1/s]; isotropic: largest strain rate
-    double axial_strain = 0.2;         // biaxial: -ln(hyy/hyy0) at the end
-    double strain_every = 0.0005;      // biaxial: axial strain between rows
+    double pressure = 64e3;  // biaxial: sigma_xx held; isotropic: p at the end; shear: p held [Pa]
+    double rate = 0.1;    // biaxial: compression along y; shear: L_xy; isotropic: largest strain rate [1/s]
+    double strain = 0.2;  // biaxial: -ln(hyy/hyy0) at the end; shear: gamma
+    double strain_every = 0.0005;  // biaxial, shear: strain between rows
 };
 
 // Reads and checks an element test file; `material` stands where its [grains] say nothing. Throws InputError.

@@ -11,7 +11,7 @@ namespace {
 TestKind read_kind(const toml::table& table, const std::string& file) {
     TestKind kind = TestKind::path;
     KeyTable keys;
-    keys.section("").choice("kind", kind, {"path", "biaxial", "isotropic"}, "");
+    keys.section("").choice("kind", kind, {"path", "biaxial", "isotropic", "simple_shear"}, "");
     const toml::node* node = table.get("kind");
     if (!node)
         throw InputError({file, 0}, "no key kind", "it says which test to run", "write kind = \"path\"");
@@ -41,6 +41,10 @@ void check_rate(double rate, double time_step, const InputError::Where& where) {
         fmt::format("write at most {:g} 1/s, or a shorter time_step", kLargestStep / time_step));
 }
 
+const char* rate_key(TestKind kind) {
+    return kind == TestKind::biaxial ? "axial_rate" : kind == TestKind::simple_shear ? "shear_rate" : "rate";
+}
+
 void check_rates(const KeyTable& keys, const ElementTestSpec& spec, const std::string& file) {
     if (spec.kind == TestKind::path) {
         const Key& source = keys.at(keys.at("segments").given ? "segments" : "segment");
@@ -48,8 +52,8 @@ void check_rates(const KeyTable& keys, const ElementTestSpec& spec, const std::s
             check_rate(s.velocity_gradient.norm(), spec.time_step, source.where);
         return;
     }
-    const Key& rate = keys.at(spec.kind == TestKind::biaxial ? "axial_rate" : "rate");
-    check_rate(spec.axial_rate, spec.time_step, rate.given ? rate.where : InputError::Where{file, 0});
+    const Key& rate = keys.at(rate_key(spec.kind));
+    check_rate(spec.rate, spec.time_step, rate.given ? rate.where : InputError::Where{file, 0});
 }
 
 }  // namespace

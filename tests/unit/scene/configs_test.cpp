@@ -22,7 +22,7 @@ TEST(Configs, AllAreValid) {
             EXPECT_NO_THROW(read_probe(entry.path().string())) << name;
         else if (name.starts_with("train"))
             EXPECT_NO_THROW(read_train(entry.path().string())) << name;
-        else if (name == "biaxial.toml" || name == "path.toml")
+        else if (name == "biaxial.toml" || name == "path.toml" || name == "simple_shear.toml")
             EXPECT_NO_THROW(read_element_test(entry.path().string())) << name;
         else
             EXPECT_NO_THROW(read_scene(entry.path().string())) << name;

@@ -50,6 +50,15 @@ TEST_F(ElementTestFile, ReadsAPath) {
     EXPECT_EQ(spec.segments[1].steps, 50);
 }
 
+TEST_F(ElementTestFile, ReadsAShearAtConstantMeanStress) {
+    const auto spec = read_element_test(
+        write("t.toml", "kind = \"simple_shear\"\nmean_stress = \"20 kPa\"\nshear_strain = 10\n"));
+    EXPECT_EQ(spec.kind, TestKind::simple_shear);
+    EXPECT_EQ(spec.pressure, 20e3);
+    EXPECT_EQ(spec.strain, 10);
+    EXPECT_EQ(refused("kind = \"simple_shear\"\nshear_rate = \"1e5 1/s\"\n").substr(0, 9), "t.toml:2:");
+}
+
 TEST_F(ElementTestFile, ReadsSegmentsFromCsvBesideIt) {
     write("p.csv", "Lxx,Lxy,Lyx,Lyy,steps\n0.1,0,0,-0.1,100\n\n0,0.4,0,0,2e3\n");
     const auto spec = read_element_test(write("t.toml", "kind = \"path\"\nsegments = \"p.csv\"\n"));
@@ -75,9 +84,9 @@ TEST_F(ElementTestFile, ReadsABiaxialTest) {
                                               "kind = \"biaxial\"\nconfining_pressure = \"32 kPa\"\n"
                                               "axial_rate = \"0.2 1/s\"\naxial_strain = 0.1\n"));
     EXPECT_EQ(spec.kind, TestKind::biaxial);
-    EXPECT_EQ(spec.confining_pressure, 32e3);
-    EXPECT_EQ(spec.axial_rate, 0.2);
-    EXPECT_EQ(spec.axial_strain, 0.1);
+    EXPECT_EQ(spec.pressure, 32e3);
+    EXPECT_EQ(spec.rate, 0.2);
+    EXPECT_EQ(spec.strain, 0.1);
 }
 
 TEST_F(ElementTestFile, TakesTheMaterialOfThePackingUnlessTold) {

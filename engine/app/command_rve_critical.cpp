@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/command_rve.hpp"
+#include "app/critical_table.hpp"
+#include "app/stage_progress.hpp"
+#include "io/atomic_file.hpp"
+#include "report/critical_picture.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+struct Options {
+    std::string folder = "out/critical";
+    CriticalPlan plan;
+    std::vector<double> kilopascals = {2, 10, 20, 80, 320};
+};
+
+std::vector<CriticalTest> test_with_progress(const CriticalPlan& plan) {
+    StageProgress progress;
+    return test_to_critical_state(
+        plan, [&](std::string_view stage, double fraction) { progress.update(stage, fraction); });
+}
+
+report::CriticalPicture picture_of(const std::vector<CriticalTest>& tests) {
+    report::CriticalPicture picture;
+    for (const CriticalTest& test : tests)
+        picture.curves.push_back({test.density, test.pressure, critical_state(test).void_ratio(), test.rows});
+    const CriticalLine line = critical_line(tests);
+    picture.e_1 = line.e_1, picture.slope = line.slope;
+    return picture;
+}
+
+void run(Options options) {
+    const std::filesystem::path folder = options.folder;
+    std::filesystem::create_directories(folder);
+    options.plan.pressures.clear();
+    for (const double p : options.kilopascals) options.plan.pressures.push_back(1e3 * p);
+    const std::vector<CriticalTest> tests = test_with_progress(options.plan);
+    io::write_text(folder / "critical_state.csv", critical_csv(tests));
+    io::write_text(folder / "curves.csv", critical_curves_csv(tests));
+    const auto picture = report::draw_critical_picture(picture_of(tests), folder / "critical_state.png");
+    if (!picture.drawn) fmt::print(stderr, "{}\n", picture.message);
+    fmt::print("{}{}: critical_state.csv, curves.csv, critical_state.png\n",
+               critical_table(tests, options.plan), options.folder);
+}
+
+}  // namespace
+
+void add_rve_critical(CLI::App& rve) {
+    CLI::App* critical = rve.add_subcommand(
+        "critical", "critical state of Table 1 sand: shear at constant mean stress, dense and loose");
+    auto options = std::make_shared<Options>();
+    critical->add_option("-o,--out", options->folder, "folder for tables and picture")->capture_default_str();
+    critical->add_option("--seeds", options->plan.seeds, "packings of each density")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    critical->add_option("--grains", options->plan.grains, "disks in a packing")
+        ->check(CLI::Range(50, 10000))
+        ->capture_default_str();
+    critical->add_option("--pressures", options->kilopascals, "mean stresses held [kPa]")
+        ->delimiter(',')
+        ->check(CLI::Range(0.5, 1000.0))
+        ->capture_default_str();
+    critical->add_option("--strain", options->plan.strain, "shear strain at the end")
+        ->check(CLI::Range(0.1, 100.0))
+        ->capture_default_str();
+    critical->add_option("--inertial-number", options->plan.inertial_number, "sets the shear rate")
+        ->check(CLI::Range(1e-5, 0.1))
+        ->capture_default_str();
+    critical->callback([options] { run(*options); });
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dem/element_test.hpp"
+#include "report/gnuplot.hpp"
+
+namespace sandgraph::report {
+
+// One shear test at constant mean stress [Pa] and its late void ratio.
+struct CriticalCurve {
+    std::string density;  // "dense" or "loose"
+    double pressure = 0, void_ratio = 0;
+    std::vector<dem::ShearRow> rows;
+};
+
+struct CriticalPicture {
+    std::vector<CriticalCurve> curves;
+    double e_1 = 0, slope = 0;  // e = e_1 - slope ln(p / 1 kPa)
+};
+
+// q/p, porosity and fabric anisotropy against shear strain (logarithmic, so that peak and critical state both
+// show; thin lines tests, thick ones the mean of a density), and late void ratio against pressure with its
+// line.
+Plot critical_plot(const CriticalPicture& picture);
+Picture draw_critical_picture(const CriticalPicture& picture, const std::filesystem::path& png);
+
+}  // namespace sandgraph::report
