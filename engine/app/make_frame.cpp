@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "app/point_sight.hpp"
 #include "graph/screening_law.hpp"
 
 namespace sandgraph::app {
@@ -51,14 +52,12 @@ void add_fabric(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
 }
 
 void add_rve_fields(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
-    frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) { return One{law.porosity(p)}; }));
     frame.fields.push_back(field("owns packing", "-", 1, n,
                                  [&](std::size_t p) { return One{double(law.rve(p).owns_packing())}; }));
     add_fabric(law, n, frame);
 }
 
 void add_screening_fields(const graph::ScreeningLaw& law, std::size_t n, io::Frame& frame) {
-    frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) { return One{law.porosity(p)}; }));
     frame.fields.push_back(
         field("mode", "-", 1, n, [&](std::size_t p) { return One{static_cast<double>(law.mode(p))}; }));
     frame.fields.push_back(
@@ -84,14 +83,13 @@ io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, do
     frame.fields.push_back(
         field("p", "Pa", 1, n, [&](std::size_t p) { return One{mean_stress(g.stress[p])}; }));
     frame.fields.push_back(field("q", "Pa", 1, n, [&](std::size_t p) { return One{deviator(g.stress[p])}; }));
+    frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) {
+        return One{point_porosity(pull, p, initial_porosity)};
+    }));
     if (const auto* rve = dynamic_cast<const graph::RveLaw*>(s.law.get()))
         add_rve_fields(*rve, n, frame);
     else if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(s.law.get()))
         add_screening_fields(*screening, n, frame);
-    else
-        frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) {
-            return One{1 - (1 - initial_porosity) * g.volume0[p] / g.volume[p]};
-        }));
     return frame;
 }
 

@@ -51,7 +51,9 @@ RunSession::RunSession(const scene::Scene& scene, const PreparedGround& ground, 
       start_(positions(pull_->state().points)),
       initial_porosity_(1 - ground.density / kSolidDensity),
       loads_(scene.output.load_every, whole_plate_factor(scene)),
+      regions_(scene, *pull_, initial_porosity_),
       file_(open_file(scene, options)) {
+    file_.follow(regions_.regions());
     if (scene.output.history) history_.emplace(scene, ground, *pull_, options.folder, options.resume);
     if (options.resume) resume();
 }
@@ -71,6 +73,7 @@ void RunSession::archive(Archive& a) {
                                   last_load_};
     a.field("session", clocks);
     if (!a.reading()) return;
+    regions_.resume_at(pull_->d_over_B());
     wall_before_ = clocks.at(0), cpu_before_ = clocks.at(1);
     next_frame_ = static_cast<std::size_t>(clocks.at(2)), last_load_ = clocks.at(3);
 }
@@ -95,9 +98,11 @@ RunEnd RunSession::run() {
 void RunSession::after_step() {
     if (const auto row = loads_.after_step(*pull_)) {
         last_load_ = row->load;
-        writer_.post([this, row] { file_.append(*row); });
+        auto regions = std::make_shared<std::vector<io::RegionRow>>(regions_.rows(*pull_));
+        writer_.post([this, row, regions] { file_.append(*row), file_.append(*regions); });
     }
     if (history_) history_->after_step(*pull_, writer_);
+    regions_.keep_packings(*pull_, options_.folder, writer_);
     const auto& marks = scene_.output.frames;
     if (next_frame_ < marks.size() && pull_->d_over_B() >= marks[next_frame_] - kReached) record_frame();
     if (wall_clock() - last_checkpoint_ > scene_.output.checkpoint_every) checkpoint();

@@ -7,6 +7,7 @@
 #include "app/build_pull.hpp"
 #include "app/history_recorder.hpp"
 #include "app/load_recorder.hpp"
+#include "app/region_recorder.hpp"
 #include "io/run_file.hpp"
 
 namespace sandgraph::app {
@@ -51,6 +52,7 @@ class RunSession {
     std::vector<Vec2> start_;      // points before the first step
     double initial_porosity_ = 0;  // for laws without grains
     LoadRecorder loads_;
+    RegionRecorder regions_;
     io::RunFile file_;
     std::optional<HistoryRecorder> history_;  // where the scene asks for it
     std::size_t next_frame_ = 0;

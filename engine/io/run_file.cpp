@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
@@ -17,7 +19,7 @@ void remove_stale(const fs::path& folder) {
     const fs::path checkpoint = folder / checkpoint_name;
     for (const fs::path& path :
          {checkpoint, previous_checkpoint(checkpoint), folder / "run.h5", folder / "summary.json",
-          folder / "fields.xdmf", folder / "history.h5", folder / "history.part"})
+          folder / "fields.xdmf", folder / "history.h5", folder / "history.part", folder / "regions.csv"})
         fs::remove(path);
 }
 
@@ -42,7 +44,7 @@ RunFile::RunFile(fs::path folder, RunRecord record)
 RunFile RunFile::create(const fs::path& folder, const RunInfo& info) {
     fs::create_directories(folder);
     remove_stale(folder);
-    RunFile run(folder, {info, {}, {}, {}, 0, {}});
+    RunFile run(folder, {info, {}, {}, {}, 0, {}, {}});
     run.commit();
     run.rewrite_csv();
     return run;
@@ -71,6 +73,22 @@ void RunFile::append(const Frame& frame) {
     commit();
 }
 
+void RunFile::follow(const std::vector<RegionSeries>& regions) {
+    const auto same = [](const RegionSeries& a, const RegionSeries& b) {
+        return a.name == b.name && a.points == b.points;
+    };
+    if (record_.load.empty() && record_.regions.empty())
+        record_.regions = regions;
+    else if (!std::ranges::equal(record_.regions, regions, same))
+        throw InputError({path().string()}, "the run to resume follows other regions",
+                         fmt::format("{} regions, {} now", record_.regions.size(), regions.size()),
+                         "resume with the [[region]] tables it was started with");
+}
+
+void RunFile::append(const std::vector<RegionRow>& rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k) record_.regions[k].rows.push_back(rows[k]);
+}
+
 void RunFile::commit() {
     AtomicFile target(path());
     h5::File file = h5::File::create(target.temporary());
@@ -84,16 +102,30 @@ void RunFile::commit() {
     record_.frames += pending_.size();
     pending_.clear();
     write_xdmf(folder_ / "fields.xdmf", path());
+    if (!record_.regions.empty()) write_text(folder_ / "regions.csv", region_csv(record_.regions));
 }
 
 void RunFile::archive(Archive& a) {
     if (!a.reading()) commit();
+    archive_regions(a);
     const std::int64_t rows = archived_count(a, "run/load_rows", record_.load.size());
     const std::int64_t frames = archived_count(a, "run/frames", record_.frames);
     if (!a.reading()) return;
     if (rows < 0 || frames < 0)
         throw InputError({path().string()}, "the checkpoint is damaged", "negative count", "start anew");
     cut_back(static_cast<std::size_t>(rows), static_cast<std::size_t>(frames));
+}
+
+// Before cut_back, which writes the file again. Regions have one row each at a time.
+void RunFile::archive_regions(Archive& a) {
+    if (record_.regions.empty()) return;
+    const std::size_t held = record_.regions.front().rows.size();
+    const std::int64_t rows = archived_count(a, "run/region_rows", held);
+    if (rows < 0 || static_cast<std::size_t>(rows) > held)
+        throw InputError({path().string()}, "run.h5 ends before the checkpoint",
+                         fmt::format("{} rows of its regions, {} needed", held, rows),
+                         "start the run anew, without --resume");
+    for (RegionSeries& region : record_.regions) region.rows.resize(static_cast<std::size_t>(rows));
 }
 
 void RunFile::rewrite_csv() { csv_.emplace(folder_ / "load.csv", record_.load); }

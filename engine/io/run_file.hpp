@@ -9,8 +9,8 @@
 
 namespace sandgraph::io {
 
-// The growing outputs of a run folder: run.h5, load.csv, fields.xdmf. HDF5 cannot survive a kill in
-// mid-write, so run.h5 is never edited in place: commit() assembles run.h5.tmp (frames on disk are copied
+// The growing outputs of a run folder: run.h5, load.csv, regions.csv, fields.xdmf. HDF5 cannot survive a kill
+// in mid-write, so run.h5 is never edited in place: commit() assembles run.h5.tmp (frames on disk are copied
 // over raw), brings it to the disk and renames it. Whenever the run is killed, run.h5 is the whole file of
 // the last commit and load.csv has every row.
 class RunFile {
@@ -24,6 +24,9 @@ class RunFile {
 
     void append(const LoadRow& row);  // to load.csv at once, to run.h5 at the next commit
     void append(const Frame& frame);  // commits
+    // The regions that are followed, before any row of theirs. InputError when the run to resume has others.
+    void follow(const std::vector<RegionSeries>& regions);
+    void append(const std::vector<RegionRow>& rows);  // one a region; kept at the next commit
     void set_timing(const std::string& phase, double seconds) { record_.timing[phase] = seconds; }
     void set_counter(const std::string& name, double value) { record_.counters[name] = value; }
     void set_screening(ScreeningRecord screening) { record_.screening = std::move(screening); }
@@ -40,6 +43,7 @@ class RunFile {
     RunFile(std::filesystem::path folder, RunRecord record);
     void rewrite_csv();
     void cut_back(std::size_t rows, std::size_t frames);
+    void archive_regions(Archive& a);
 
     std::filesystem::path folder_;
     RunRecord record_;

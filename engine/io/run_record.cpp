@@ -74,6 +74,7 @@ void write_run_groups(h5::Group root, const RunRecord& record) {
     write_scalars(root.create("timing"), record.timing, "s");
     write_scalars(root.create("rve"), record.counters, "-");
     write_screening(root, record.screening);
+    write_regions(root, record.regions);
     root.create("frames");
 }
 
@@ -81,9 +82,13 @@ RunRecord read_run(const std::filesystem::path& run_h5) {
     const h5::File file = h5::File::open(run_h5);
     const h5::Group root = file.root();
     require_content(root, "run", schema);
-    return {read_info(root.open("scene")),      read_load(root.open("load")),
-            read_scalars(root.open("timing")),  read_scalars(root.open("rve")),
-            root.open("frames").names().size(), read_screening(root)};
+    return {read_info(root.open("scene")),
+            read_load(root.open("load")),
+            read_scalars(root.open("timing")),
+            read_scalars(root.open("rve")),
+            root.open("frames").names().size(),
+            read_screening(root),
+            read_regions(root)};
 }
 
 Frame read_run_frame(const std::filesystem::path& run_h5, std::size_t index) {

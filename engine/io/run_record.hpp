@@ -6,6 +6,7 @@
 
 #include "io/frame.hpp"
 #include "io/h5_group.hpp"
+#include "io/region_series.hpp"
 #include "io/screening_record.hpp"
 
 namespace sandgraph::io {
@@ -24,9 +25,11 @@ struct RunRecord {
     std::map<std::string, double> counters;  // of the RVEs: name -> count
     std::size_t frames = 0;
     ScreeningRecord screening;
+    std::vector<RegionSeries> regions;  // by name
 };
 
-// The groups /scene, /load, /timing, /rve, those of a screening run and an empty /frames of run.h5.
+// The groups /scene, /load, /timing, /rve, those of regions and of a screening run, and an empty /frames of
+// run.h5.
 void write_run_groups(h5::Group root, const RunRecord& record);
 
 // InputError when run.h5 is missing, damaged or of another schema.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem/material.hpp"
+#include "scene/region_spec.hpp"
 #include "scene/screening_spec.hpp"
 
 namespace sandgraph::scene {
@@ -104,6 +105,7 @@ struct Scene {
     Mpm mpm;
     Screening screening;
     Output output;
+    std::vector<Region> regions;
 };
 
 }  // namespace sandgraph::scene

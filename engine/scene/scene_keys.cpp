@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "scene/grain_keys.hpp"
+#include "scene/region_tables.hpp"
 #include "scene/screening_keys.hpp"
 
 namespace sandgraph::scene {
@@ -15,6 +16,8 @@ void add_top_keys(KeyTable& keys, Scene& scene) {
     top.text("title", scene.title, "shown in reports").in_hash = false;
     top.choice("mode", scene.mode, {"full", "screening"},
                "every point a packing, or the surrogate where it is safe");
+    top.add("region", std::make_unique<RegionTables>(scene.regions), "parts of the ground to follow by name")
+        .in_hash = false;
 }
 
 void add_domain_keys(KeyTable& keys, Domain& d) {
