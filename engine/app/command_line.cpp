@@ -21,6 +21,7 @@ void add_commands(CLI::App& app, int& exit_code) {
     add_rve_command(app, exit_code);
     add_train_command(app, exit_code);
     add_report_command(app, exit_code);
+    add_measure_command(app, exit_code);
     add_info_command(app, exit_code);
     add_keys_command(app, exit_code);
 }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "app/finished_run.hpp"
+#include "app/ground_view.hpp"
 #include "report/analytic.hpp"
 #include "report/field_picture.hpp"
 #include "report/load_picture.hpp"
-#include "scene/check_scene.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -25,20 +25,6 @@ report::ReferenceLine formula(const PictureSource& source) {
     const double ratio = source.scene.anchor.embedment_ratio, phi = source.friction_angle;
     if (pulled_up(source.scene)) return {"Meyerhof & Adams (1968)", report::meyerhof_adams(ratio, phi)};
     return {"Biarez (1965)", report::biarez(ratio, phi)};
-}
-
-report::GroundView view_of(const scene::Scene& scene) {
-    const scene::Anchor& a = scene.anchor;
-    report::GroundView view;
-    view.title = title_of(scene);
-    view.width = scene.domain.width, view.surface = scene.domain.depth;
-    view.point_size = scene::point_spacing(scene.domain);
-    view.anchor_width = a.width, view.has_plate = a.present;
-    view.plate_size_x = pulled_up(scene) ? a.width : a.thickness;
-    view.plate_size_y = pulled_up(scene) ? a.thickness : a.width;
-    view.mirror = pulled_up(scene);
-    view.window = (a.embedment_ratio + 2) * a.width;
-    return view;
 }
 
 }  // namespace
@@ -61,7 +47,7 @@ std::string draw_pictures(const std::filesystem::path& to, const PictureSource& 
         if (source.friction_angle > 0) picture.references = {formula(source)};
         last = report::draw_load_picture(picture, to / "load.png");
     }
-    const report::GroundView view = view_of(source.scene);
+    const report::GroundView view = ground_view(source.scene);
     for (std::size_t k = 0; last.drawn && k < source.record.frames; ++k) {
         const io::Frame frame = io::read_run_frame(source.frame_file, k);
         for (const Shown& field : kFields)

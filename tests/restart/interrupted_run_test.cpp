@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "io/history_file.hpp"
+#include "io/packing_file.hpp"
 #include "io/run_record.hpp"
 
 namespace {
@@ -35,6 +36,11 @@ frames = [0, 0.01, 0.02, 0.03]
 history = true
 history_points = 12
 checkpoint_every = "0.05 s"
+[[region]]
+name = "above"
+x = [0, 0.5]
+y = [0, 1]
+packings = [0, 0.011, 0.025]
 )";
 
 std::string text_of(const fs::path& file) {
@@ -94,6 +100,13 @@ class InterruptedRun : public testing::Test {
 
     void expect_same(const std::string& a, const std::string& b) const {
         EXPECT_EQ(text_of(out(a) / "load.csv"), text_of(out(b) / "load.csv"));
+        EXPECT_EQ(text_of(out(a) / "regions.csv"), text_of(out(b) / "regions.csv"));
+        for (const char* packing : {"above_0000.h5", "above_0011.h5", "above_0025.h5"}) {
+            const auto p = sandgraph::io::read_packing(out(a) / "packings" / packing).packing,
+                       q = sandgraph::io::read_packing(out(b) / "packings" / packing).packing;
+            EXPECT_EQ(p.x, q.x);
+            EXPECT_EQ(p.H, q.H);
+        }
         const auto first = sandgraph::io::read_run(out(a) / "run.h5"),
                    second = sandgraph::io::read_run(out(b) / "run.h5");
         ASSERT_EQ(first.frames, 4u);
@@ -160,6 +173,7 @@ TEST_F(InterruptedRun, RefusesToResumeNothingOrAnotherScene) {
     ASSERT_EQ(run("part", {"--until", "0.002"}), 0);
     EXPECT_EQ(run("part", {"--resume", "--set", "grains.seed=2"}), 2);
     EXPECT_EQ(run("part", {"--resume", "--set", "output.history_points=11"}), 2);
+    EXPECT_EQ(run("part", {"--resume", "--set", "region=[]"}), 2);
 }
 
 }  // namespace

@@ -67,6 +67,27 @@ void expect_same_outputs(const fs::path& a, const fs::path& b) {
     }
 }
 
+TEST(RunFile, KeepsTheRowsOfRegions) {
+    const Scratch folder;
+    RunFile run = RunFile::create(folder.path(), info);
+    run.follow({{"A", 15, {}}, {"B", 1, {}}});
+    for (int k = 0; k < 3; ++k) {
+        RegionRow a, b;
+        a.d_over_B = b.d_over_B = 0.01 * k, a.p = {1e3 * k, 500.0 * k, 2e3 * k};  // F_a and others unknown: NaN
+        run.append(std::vector{a, b});
+    }
+    run.commit();
+    const auto regions = read_run(run.path()).regions;
+    ASSERT_EQ(regions.size(), 2u);
+    EXPECT_EQ(regions[0].name, "A");
+    EXPECT_EQ(regions[0].points, 15);
+    ASSERT_EQ(regions[0].rows.size(), 3u);
+    EXPECT_EQ(regions[0].rows[2].p.max, 4e3);
+    EXPECT_TRUE(std::isnan(regions[0].rows[2].anisotropy.mean));
+    EXPECT_NE(test::contents(folder.path() / "regions.csv").find("A,15,0.02,2000,1000,4000"),
+              std::string::npos);
+}
+
 TEST(RunFile, KeepsSceneSeriesFramesTimingsAndCounters) {
     const Scratch folder;
     RunFile run = RunFile::create(folder / "out", info);

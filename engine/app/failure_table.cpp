@@ -1,0 +1,66 @@
+#include "app/failure_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+
+#include "app/ground_view.hpp"
+#include "app/run_report.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr report::ShearBand kNoBand{nan, nan, nan, nan};
+
+std::vector<double> numbers(const FailureRow& r) {
+    return {
+        r.d_over_B,      r.surface.highest, r.surface.lowest,   r.surface.heave_ahead, r.surface.sink_behind,
+        r.zone.ahead,    r.zone.behind,     r.zone.above,       r.zone.below,          r.cavity,
+        r.total.lower,   r.total.middle,    r.total.upper,      r.total.at_surface,    r.recent.lower,
+        r.recent.middle, r.recent.upper,    r.recent.at_surface};
+}
+
+constexpr const char* kHeader =
+    "run,d_over_B,highest_rise,lowest_rise,heave_ahead,sink_behind,zone_ahead,zone_behind,zone_above,zone_"
+    "below,"
+    "cavity,band_lower,band_middle,band_upper,band_at_surface,recent_lower,recent_middle,recent_upper,"
+    "recent_at_surface\n";
+
+}  // namespace
+
+std::vector<FailureRow> failure_rows(const FinishedRun& run) {
+    const report::GroundView view = ground_view(run.scene);
+    std::vector<FailureRow> rows;
+    if (run.record.frames == 0) return rows;
+    const io::Frame start = io::read_run_frame(run.frame_file(), 0);
+    io::Frame before = start;
+    for (std::size_t k = 1; k < run.record.frames; ++k) {
+        io::Frame frame = io::read_run_frame(run.frame_file(), k);
+        FailureRow row{frame.d_over_B,
+                       report::surface_shape(frame, view),
+                       report::strained_zone(frame, view),
+                       nan,
+                       kNoBand,
+                       kNoBand};
+        if (pulled_up(run.scene)) {
+            row.cavity = report::cavity_share(frame, view);
+            row.total = report::shear_band(start, frame, view);
+            row.recent = report::shear_band(before, frame, view);
+        }
+        rows.push_back(row);
+        before = std::move(frame);
+    }
+    return rows;
+}
+
+std::string failure_csv(const std::vector<std::string>& folders) {
+    std::string text = kHeader;
+    for (const FinishedRun& run : find_runs(folders))
+        for (const FailureRow& row : failure_rows(run))
+            text += fmt::format("{},{:.4g}\n", run.folder.filename().string(), fmt::join(numbers(row), ","));
+    return text;
+}
+
+}  // namespace sandgraph::app

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/finished_run.hpp"
+#include "report/failure_pattern.hpp"
+
+namespace sandgraph::app {
+
+// One frame of a run, measured by report/failure_pattern.hpp.
+struct FailureRow {
+    double d_over_B = 0;
+    report::SurfaceShape surface;
+    report::StrainedZone zone;
+    double cavity = 0;
+    report::ShearBand total, recent;  // of the whole strain, and of that since the frame before
+};
+
+// Every frame but the first. Cavity and bands are those of a horizontal plate, NaN for a vertical one.
+std::vector<FailureRow> failure_rows(const FinishedRun& run);
+
+// One line a frame of every run found: run,d_over_B,heave_highest,...
+std::string failure_csv(const std::vector<std::string>& folders);
+
+}  // namespace sandgraph::app
