@@ -96,12 +96,16 @@ void HistoryRecorder::archive(Archive& a) {
     journal_.emplace(journal_path(), logged_);
 }
 
-void HistoryRecorder::write(bool over) {
+void HistoryRecorder::write() {
     journal_->append(pending_), pending_.clear();
     io::HistoryWriter writer(folder_ / "history.h5", source_, packings_, histories_);
     journal_->read([&](std::span<const io::HistoryRow> rows) { writer.append(rows); });
     writer.commit();
-    if (over) journal_.reset(), std::filesystem::remove(journal_path());
+}
+
+void HistoryRecorder::discard_journal() {
+    journal_.reset();
+    std::filesystem::remove(journal_path());
 }
 
 }  // namespace sandgraph::app

@@ -22,8 +22,10 @@ class HistoryRecorder {
     void after_step(const graph::Pull& pull, BackgroundWriter& writer);
     // With an idle writer only: what the checkpoint must know; reading cuts the journal back to it.
     void archive(Archive& a);
-    // With an idle writer only. `over`: nothing will be resumed.
-    void write(bool over);
+    // With an idle writer only: history.h5 of what was logged so far. The journal stays, for a resumed run
+    // ...
+    void write();
+    void discard_journal();  // ... until there is nothing to resume
 
     std::size_t rows() const { return logged_; }
     bool full() const { return full_; }

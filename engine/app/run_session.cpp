@@ -88,12 +88,14 @@ RunEnd RunSession::run() {
         progress.update({pull_->steps(), pull_->d_over_B(), options_.until, last_load_,
                          grain_use(*pull_->state().law).active});
     }
-    const bool all = pull_->d_over_B() >= scene_.anchor.pull_to - kReached;
+    const bool all = went_all_the_way();
     if (all) audit_at_end();
     all ? wind_up() : checkpoint();
-    if (history_ && !all) history_->write(false);
+    if (history_ && !all) history_->write();
     return pull_->d_over_B() < options_.until - kReached ? RunEnd::interrupted : RunEnd::finished;
 }
+
+bool RunSession::went_all_the_way() const { return pull_->d_over_B() >= scene_.anchor.pull_to - kReached; }
 
 void RunSession::after_step() {
     if (const auto row = loads_.after_step(*pull_)) {
@@ -126,14 +128,17 @@ void RunSession::note_timing() {
     for (const graph::PhaseTime& t : pull_->graph().times()) file_.set_timing(t.name, t.seconds);
 }
 
-// A pull that went all the way has nothing to resume.
 void RunSession::wind_up() {
     note_timing();
     file_.commit();
-    if (history_) history_->write(true);
+    if (history_) history_->write();
+}
+
+void RunSession::discard_restart_files() {
     const std::filesystem::path checkpoint = options_.folder / io::checkpoint_name;
     std::filesystem::remove(checkpoint);
     std::filesystem::remove(io::previous_checkpoint(checkpoint));
+    if (history_) history_->discard_journal();
 }
 
 void RunSession::checkpoint() {

@@ -27,6 +27,10 @@ class RunSession {
     // Makes (or, resuming, opens) the run folder: call it when all input is checked.
     RunSession(const scene::Scene& scene, const PreparedGround& ground, const RunOptions& options);
     RunEnd run();
+    // Once every output of a pull that went all the way is written: there is nothing left to resume. Before,
+    // a kill would lose what was not written yet.
+    void discard_restart_files();
+    bool went_all_the_way() const;
 
     const graph::Pull& pull() const { return *pull_; }
     const io::RunRecord& record() const { return file_.record(); }

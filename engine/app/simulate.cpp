@@ -45,7 +45,12 @@ void require_writable(const fs::path& folder) {
     if (!fs::is_directory(there))
         throw InputError({folder.string(), 0}, "cannot be the run folder",
                          there.string() + " is not a folder", "give another folder with -o");
-    if (access(there.c_str(), W_OK | X_OK) != 0)
+    // Tried out: access() says yes to root even where nothing can be written.
+    const fs::path trial = there / fmt::format(".sandgraph-{}", getpid());
+    std::error_code code;
+    const bool writable = fs::create_directory(trial, code);
+    fs::remove(trial, code);
+    if (!writable)
         throw InputError({folder.string(), 0}, "cannot be the run folder",
                          there.string() + " is not writable", "give another folder with -o");
 }
@@ -60,6 +65,18 @@ PreparedGround prepare(const scene::Scene& scene) {
         prepare_ground(scene, [&progress](std::string_view stage, double f) { progress.update(stage, f); });
     ground.surrogate = std::move(surrogate);
     return ground;
+}
+
+// A failure on the way (a full disk) tells what there is to go on from.
+RunEnd run(RunSession& session, const RunOptions& o) {
+    try {
+        return session.run();
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        if (!fs::exists(o.folder / io::checkpoint_name)) throw;
+        throw std::runtime_error(fmt::format("{}; the last checkpoint is kept for --resume", error.what()));
+    }
 }
 
 // What is left to do when the plate has gone all the way.
@@ -102,12 +119,13 @@ int simulate(const RunRequest& a) {
     require_writable(options.folder);
     const PreparedGround ground = prepare(scene);
     RunSession session(scene, ground, options);
-    if (session.run() == RunEnd::interrupted) {
+    if (run(session, options) == RunEnd::interrupted) {
         fmt::print(stderr, "stopped at d/B {:.4f}; go on with: sandgraph run {} -o {} --resume\n",
                    session.pull().d_over_B(), a.scene, options.folder.string());
         return exit_stopped_early;
     }
     finish(session, options, scene, ground);
+    if (session.went_all_the_way()) session.discard_restart_files();
     return exit_done;
 }
 

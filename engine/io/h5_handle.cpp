@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace sandgraph::io::h5 {
@@ -15,12 +16,18 @@ herr_t first_description(unsigned n, const H5E_error2_t* error, void* text) {
 
 }  // namespace
 
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+// Nor does HDF5 clean up at exit: what we write we close ourselves, and with a file that could not be written
+// (disk full) it crashes there.
+void silence() {
+    [[maybe_unused]] static const bool first = H5dont_atexit() >= 0;
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string last_error() {
     std::string text;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, first_description, &text);
     H5Eclear2(H5E_DEFAULT);
+    std::replace(text.begin(), text.end(), '\n', ' ');  // an error of ours is one line
     return text.empty() ? "no further detail from HDF5" : text;
 }
 

@@ -1,8 +1,4 @@
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -13,6 +9,7 @@
 #include "io/history_file.hpp"
 #include "io/packing_file.hpp"
 #include "io/run_record.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 
@@ -66,20 +63,9 @@ class InterruptedRun : public testing::Test {
         std::vector<std::string> words = {SANDGRAPH_BINARY, "run", (folder_ / "scene.toml").string(), "-o",
                                           out(name).string()};
         words.insert(words.end(), more.begin(), more.end());
-        const pid_t pid = fork();
-        if (pid != 0) return pid;
-        std::vector<char*> argv;
-        for (std::string& w : words) argv.push_back(w.data());
-        argv.push_back(nullptr);
-        if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
-        execv(argv[0], argv.data());
-        _exit(127);
+        return sandgraph::support::start_program(std::move(words), "/dev/null");
     }
-    static int finish(pid_t pid) {
-        int status = 0;
-        waitpid(pid, &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    }
+    static int finish(pid_t pid) { return sandgraph::support::finish_program(pid); }
     int run(const std::string& name, std::vector<std::string> more = {}) const {
         return finish(start(name, std::move(more)));
     }

@@ -59,7 +59,7 @@ io::HistoryLog logged(const scene::Scene& scene, int threads, int steps, bool* f
         recorder.after_step(*pull, writer);
     }
     writer.drain();
-    recorder.write(true);
+    recorder.write();
     if (full) *full = recorder.full();
     EXPECT_EQ(io::read_history(folder / "history.h5").rows.size(), recorder.rows());
     return io::read_history(folder / "history.h5");
