@@ -44,6 +44,7 @@ class Ground {
         return dynamic_cast<const graph::ScreeningLaw&>(*state_->law);
     }
     double dt() const { return state_->settings.dt; }
+    double cell() const { return state_->grid.shape.cell; }
     double time() const { return time_; }
     double density() const { return density_; }                                // [kg/m3]
     double travelled() const { return travelled_; }                            // of the plate, up [m]

@@ -15,7 +15,9 @@ using namespace sandgraph::stability;
 std::vector<Case> all_cases() {
     std::vector<Case> out;
     for (const std::span<const Case> group :
-         {rve_cases(), rve_increment_cases(), column_cases(), time_step_cases()})
+         {rve_cases(), rve_increment_cases(), column_cases(), time_step_cases(), falling_cases(),
+          collapse_cases(), plate_cases(), mesh_cases(), gate_cases(), lying_cases(), repeat_cases(),
+          killed_cases(), disk_cases()})
         out.insert(out.end(), group.begin(), group.end());
     return out;
 }

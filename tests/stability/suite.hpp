@@ -39,6 +39,15 @@ struct Case {
 };
 
 std::span<const Case> rve_cases();
+std::span<const Case> repeat_cases();
+std::span<const Case> killed_cases();
+std::span<const Case> disk_cases();
+std::span<const Case> gate_cases();
+std::span<const Case> lying_cases();
+std::span<const Case> plate_cases();
+std::span<const Case> mesh_cases();
+std::span<const Case> falling_cases();
+std::span<const Case> collapse_cases();
 std::span<const Case> time_step_cases();
 std::span<const Case> column_cases();
 std::span<const Case> rve_increment_cases();
