@@ -29,7 +29,7 @@ report::CriticalPicture picture_of(const std::vector<CriticalTest>& tests) {
     for (const CriticalTest& test : tests)
         picture.curves.push_back({test.density, test.pressure, critical_state(test).void_ratio(), test.rows});
     const CriticalLine line = critical_line(tests);
-    picture.e_1 = line.e_1, picture.slope = line.slope;
+    picture.e_0 = line.e_0, picture.slope = line.slope;
     return picture;
 }
 

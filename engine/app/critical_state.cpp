@@ -91,8 +91,8 @@ CriticalSpread critical_spread(const std::vector<CriticalTest>& tests, const std
 CriticalLine critical_line(const std::vector<CriticalTest>& tests) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const CriticalTest& test : tests) {
-        const double log_p = std::log(test.pressure / 1e3), e = critical_state(test).void_ratio();
-        ++n, x += log_p, y += e, xx += log_p * log_p, xy += log_p * e;
+        const double p = test.pressure / 100e3, e = critical_state(test).void_ratio();
+        ++n, x += p, y += e, xx += p * p, xy += p * e;
     }
     const double spread = n * xx - x * x, slope = spread > 0 ? -(n * xy - x * y) / spread : 0;
     return {(y + slope * x) / n, slope};

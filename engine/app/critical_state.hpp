@@ -17,7 +17,7 @@ struct CriticalPlan {
     int grains = 400;
     double strain = 10;             // gamma at the end
     double inertial_number = 2e-3;  // sets the rate
-    double sample_strain = 0.02;    // between rows
+    double sample_strain = 0.005;   // between rows
 };
 
 struct CriticalTest {
@@ -46,9 +46,10 @@ struct CriticalSpread {
 CriticalSpread critical_spread(const std::vector<CriticalTest>& tests, const std::string& density,
                                double pressure);
 
-// Critical state line e = e_1 - slope ln(p / 1 kPa), least squares over all tests.
+// Critical state line e = e_0 - slope p / 100 kPa, least squares over all tests: Li & Wang (1998) with
+// exponent 1, since the contacts of this sand are linear.
 struct CriticalLine {
-    double e_1 = 0, slope = 0;
+    double e_0 = 0, slope = 0;
 };
 CriticalLine critical_line(const std::vector<CriticalTest>& tests);
 

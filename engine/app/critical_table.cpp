@@ -35,8 +35,8 @@ std::string critical_table(const std::vector<CriticalTest>& tests, const Critica
     const CriticalLine csl = critical_line(tests);
     return text + fmt::format(
                       "published near 20 kPa (Liang et al. 2021): q/p 0.36, n 0.206, F_a 0.32\n"
-                      "critical state line: e = {:.4f} - {:.5f} ln(p / 1 kPa)\n",
-                      csl.e_1, csl.slope);
+                      "critical state line: e = {:.4f} - {:.5f} p / 100 kPa\n",
+                      csl.e_0, csl.slope);
 }
 
 std::string critical_csv(const std::vector<CriticalTest>& tests) {

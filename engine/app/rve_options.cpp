@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace sandgraph::app {
 
@@ -27,6 +28,10 @@ dem::RveOptions rve_options(const scene::RveStepping& stepping, const dem::Mater
     options.strain_per_step_max = stepping.strain_per_step_max;
     options.pressure_floor = stepping.pressure_floor;
     options.steps_min = stepping.steps_min;
+    options.stress_per_step_max = stepping.stress_per_step_max;
+    const double radius =
+        std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
+    options.modulus = 0.5 * material.young * radius / material.depth;
     return options;
 }
 

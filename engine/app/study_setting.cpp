@@ -30,6 +30,10 @@ std::vector<Axis> axes() {
          {0.025, 0.1},
          {0.0125, 0.2}},
         {"steps_min", [](RveStepping& s, double v) { s.steps_min = static_cast<int>(v); }, {1, 5}, {10, 20}},
+        {"stress_per_step_max",
+         [](RveStepping& s, double v) { s.stress_per_step_max = v; },
+         {0.005, 0.015},
+         {0.0025, 1e6}},
         {"time_step_fraction",
          [](RveStepping& s, double v) { s.time_step_fraction = v; },
          {0.4, 1},
@@ -78,6 +82,7 @@ RveStepping peers_stepping() {
     constexpr double no_limit = 1e6;
     RveStepping s;
     s.update_tolerance = 0, s.strain_per_step_max = 1e-5, s.inertial_number_max = no_limit;
+    s.stress_per_step_max = no_limit;
     s.steps_min = 2;
     return s;
 }

@@ -24,9 +24,17 @@ double rate_limit(const CompactPacking& p, const Material& m, const RveOptions& 
     return std::min(inertial, o.strain_per_step_max / o.time_step);
 }
 
-int step_count(const Mat2& strain, double rate, const RveOptions& o) {
-    const double magnitude = strain.norm();
-    return std::max(std::max(1, o.steps_min), static_cast<int>(std::ceil(magnitude / (rate * o.time_step))));
+// An update sets the packing in motion and stops it again; the shorter it is and the lower the pressure, the
+// more of that shows in its stress. Up to `settle_steps` steps, each changes the stress by at most its share
+// of p.
+int settling_steps(double magnitude, double pressure, const RveOptions& o) {
+    const double change = magnitude * o.modulus / std::max(pressure, o.pressure_floor);
+    return static_cast<int>(std::ceil(std::min<double>(change / o.stress_per_step_max, o.settle_steps)));
+}
+
+int step_count(double magnitude, double rate, double pressure, const RveOptions& o) {
+    const auto driven = static_cast<int>(std::ceil(magnitude / (rate * o.time_step)));
+    return std::max({1, o.steps_min, driven, settling_steps(magnitude, pressure, o)});
 }
 
 // `count` steps under the constant gradient L: move, forces, kick. Leaves forces and cell in step, so the
@@ -99,7 +107,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     if (crushed(before, stretch)) return {RveStatus::diverged};
     const double rate = rate_limit(before, material, options), dt = options.time_step;
     RveReport report;
-    report.dem_steps = step_count(hencky(stretch), rate, options);
+    report.dem_steps = step_count(hencky(stretch).norm(), rate, mean(before.stress), options);
     const Mat2 L = (root(stretch, report.dem_steps) - Mat2::Identity()) / dt;
     report.inertial_number =
         L.norm() * before.grains->mean_diameter *

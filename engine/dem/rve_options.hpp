@@ -9,6 +9,10 @@ struct RveOptions {
     double strain_per_step_max = 1e-5;
     double pressure_floor = 1000;  // below it the inertial limit tightens no further [Pa]
     int steps_min = 2;             // DEM steps an update at least
+    double stress_per_step_max =
+        0.0075;  // elastic stress change of a step, share of p, up to settle_steps of them
+    int settle_steps = 10;
+    double modulus = 2e7;          // k_n/(2 h) of two mean grains [Pa]: turns strain into elastic stress
     double float_pressure = 10;    // mean stress taken for none when the packing has opened up [Pa]
     double float_opening = 0.005;  // volume strain beyond the last contact at which a packing floats
 };

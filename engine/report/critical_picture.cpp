@@ -84,7 +84,7 @@ std::string late_panel(const CriticalPicture& picture) {
     for (const Style& s : styles)
         text += fmt::format("'late_{}.txt' with points pt 7 ps 1 lc rgb '{}', ", s.density, s.full);
     return text +
-           fmt::format("{} - {} * log(x) with lines lw 2 lc rgb '#444444'\n", picture.e_1, picture.slope);
+           fmt::format("{} - {} * x / 100 with lines lw 2 lc rgb '#444444'\n", picture.e_0, picture.slope);
 }
 
 }  // namespace
@@ -100,7 +100,8 @@ Plot critical_plot(const CriticalPicture& picture) {
     }
     plot.script =
         "set multiplot layout 2,2 title 'Shear at constant mean stress: dense and loose sand meet'\n"
-        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset logscale x\nset xlabel 'shear strain γ [%]'\n"
+        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset logscale x\nset autoscale xfix\nset xlabel 'shear strain "
+        "γ [%]'\n"
         "set key bottom right\n";
     for (const Panel& panel : panels) plot.script += curves_of(panel);
     plot.script += late_panel(picture) + "unset multiplot\n";

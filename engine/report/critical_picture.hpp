@@ -17,7 +17,7 @@ struct CriticalCurve {
 
 struct CriticalPicture {
     std::vector<CriticalCurve> curves;
-    double e_1 = 0, slope = 0;  // e = e_1 - slope ln(p / 1 kPa)
+    double e_0 = 0, slope = 0;  // e = e_0 - slope p / 100 kPa
 };
 
 // q/p, porosity and fabric anisotropy against shear strain (logarithmic, so that peak and critical state both

@@ -53,10 +53,11 @@ struct RveStepping {
     double time_step_fraction = 0.85;  // DEM dt as a share of the longest stable one
     double inertial_number_max = 2e-3;
     double strain_per_step_max = 1e-5;
-    double pressure_floor = 1000;      // p below which the inertial limit no longer tightens [Pa]
-    double update_tolerance = 0.0025;  // error of the stress predicted between two DEM updates, share of p
-    double update_change_max = 0.05;   // largest predicted stress change between two, share of p
-    int steps_min = 2;                 // DEM steps an update at least
+    double pressure_floor = 1000;         // p below which the inertial limit no longer tightens [Pa]
+    double update_tolerance = 0.0025;     // error of the stress predicted between two DEM updates, share of p
+    double update_change_max = 0.05;      // largest predicted stress change between two, share of p
+    int steps_min = 2;                    // DEM steps an update at least
+    double stress_per_step_max = 0.0075;  // elastic stress change of a step of a short update, share of p
 };
 
 // Closed-form laws (law = "elastic" | "mohr_coulomb").

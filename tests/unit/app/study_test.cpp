@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/study_table.hpp"
+#include "dem/element_test.hpp"
 #include "dem/fast.hpp"
 #include "dem/packing_csv.hpp"
 
@@ -71,6 +72,7 @@ TEST(StudySetting, EachVariationDiffersFromTheDefaultAndFromTheOthers) {
                              s.inertial_number_max == t.inertial_number_max &&
                              s.strain_per_step_max == t.strain_per_step_max &&
                              s.update_tolerance == t.update_tolerance &&
+                             s.stress_per_step_max == t.stress_per_step_max &&
                              s.pressure_floor == t.pressure_floor &&
                              s.update_change_max == t.update_change_max)
                     << settings[a].key << settings[a].value << settings[b].key << settings[b].value;
@@ -121,6 +123,21 @@ TEST(StudyRun, TwoFineAnswersAgreeBetterThanTheDefault) {
     EXPECT_LT(study_error(twin, fine, history, floor).rms, study_error(usual, fine, history, floor).rms);
     EXPECT_LT(usual[0].dem_steps, fine[0].dem_steps / 4);
     EXPECT_EQ(fine[0].failures, 0);
+}
+
+TEST(StudyRun, TheDefaultErrsByOnePercentAtMostNearZeroPressure) {
+    StudySample low = sample();
+    dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p10.csv"),
+                        low.material);
+    dem::compress(a, {.pressure = study_pressure_low, .rate = 0.05});
+    low.row.packing = dem::compact(a.packing(), low.material, a.stress());
+    const StrainHistory history = opening_history();
+    scene::RveStepping bare;
+    bare.stress_per_step_max = 1e6;
+    const std::vector<StudyRun> fine{run_history(low, history, reference_stepping())},
+        usual{run_history(low, history, {})}, unsettled{run_history(low, history, bare)};
+    EXPECT_LT(study_error(usual, fine, history, 1000).rms, 0.01);
+    EXPECT_GT(study_error(unsettled, fine, history, 1000).rms, 0.02);
 }
 
 TEST(StudyTable, ReferenceHasNoErrorAndPeersAreTheUnitOfCost) {
