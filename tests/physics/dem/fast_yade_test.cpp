@@ -120,7 +120,7 @@ double line_through_origin(const std::string& kind) {
     for (const double confining : {32e3, 64e3, 128e3}) {
         scene::ElementTestSpec spec;
         spec.kind = scene::TestKind::biaxial;
-        spec.confining_pressure = confining, spec.axial_strain = 0.1;
+        spec.pressure = confining, spec.strain = 0.1;
         peaks.push_back(peak_of(fast_test(spec, test::public_packing(kind, "p10"))));
     }
     return friction_angle(peaks) * 180 / std::numbers::pi;
