@@ -14,9 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kFramesOfMany = 2;  // field pictures of a run beside others: breakout and end
+
 struct Arguments {
     std::vector<std::string> folders;
     std::string out = "out/report";
+    std::string critical;  // critical_state.csv
 };
 
 // The speed-against-error table of a `pareto` folder, when there is one.
@@ -37,13 +40,17 @@ void run(const Arguments& a) {
     std::string body =
         fmt::format("<h1>Plate anchors in sand</h1>\n<p class=\"lead\">{} run{}; made by sandgraph</p>\n",
                     runs.size(), runs.size() == 1 ? "" : "s");
+    ChapterOptions options;
+    if (runs.size() > 1) options.frames_max = kFramesOfMany;
+    if (!a.critical.empty()) options.critical = report::read_critical_lines(a.critical);
     StageProgress progress;
     if (runs.size() > 1) body += comparison_chapter(runs, out / "pictures");
     body += pareto_chapter(a.folders);
     for (std::size_t k = 0; k < runs.size(); ++k) {
         progress.update("pictures", static_cast<double>(k) / static_cast<double>(runs.size()));
-        body += run_chapter(
-            runs[k], out / "pictures" / fmt::format("{:02}_{}", k, runs[k].folder.filename().string()));
+        body += run_chapter(runs[k],
+                            out / "pictures" / fmt::format("{:02}_{}", k, runs[k].folder.filename().string()),
+                            options);
     }
     io::write_text(out / "index.html", report::page("sandgraph report", body));
     fmt::print("report in {}\n", (out / "index.html").string());
@@ -57,6 +64,8 @@ void add_report_command(CLI::App& app, int& exit_code) {
         app.add_subcommand("report", "one page with the results and pictures of finished runs");
     command->add_option("folders", a->folders, "run folders, or folders of them")->required();
     command->add_option("-o,--out", a->out, "folder of index.html and the pictures (default: out/report)");
+    command->add_option("--critical", a->critical,
+                        "critical_state.csv of `rve critical`, for the stress paths of regions");
     command->callback([a, &exit_code] {
         run(*a);
         exit_code = exit_done;

@@ -48,7 +48,10 @@ std::string draw_pictures(const std::filesystem::path& to, const PictureSource& 
         last = report::draw_load_picture(picture, to / "load.png");
     }
     const report::GroundView view = ground_view(source.scene);
-    for (std::size_t k = 0; last.drawn && k < source.record.frames; ++k) {
+    std::vector<std::size_t> frames = source.frames;
+    for (std::size_t k = 0; source.frames.empty() && k < source.record.frames; ++k) frames.push_back(k);
+    for (const std::size_t k : frames) {
+        if (!last.drawn) break;
         const io::Frame frame = io::read_run_frame(source.frame_file, k);
         for (const Shown& field : kFields)
             if (last.drawn && (field.quantity != report::Quantity::mode || report::has_field(frame, "mode")))
@@ -56,6 +59,15 @@ std::string draw_pictures(const std::filesystem::path& to, const PictureSource& 
                                                   to / picture_name(field.name, frame.d_over_B));
     }
     return last.drawn ? fmt::format("pictures in {}", to.string()) : "no pictures: " + last.message;
+}
+
+const std::vector<std::string>& field_picture_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Shown& field : kFields) all.emplace_back(field.name);
+        return all;
+    }();
+    return names;
 }
 
 std::string picture_name(const std::string& field, double d_over_B) {

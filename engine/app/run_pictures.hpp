@@ -13,15 +13,18 @@ struct PictureSource {
     const scene::Scene& scene;
     const io::RunRecord& record;
     std::filesystem::path frame_file;
-    double unit_load = 1;       // B (gamma H + q_s) [N/m]
-    double friction_angle = 0;  // measured on the packing [rad]; 0: unknown
+    double unit_load = 1;                  // B (gamma H + q_s) [N/m]
+    double friction_angle = 0;             // measured on the packing [rad]; 0: unknown
+    std::vector<std::size_t> frames = {};  // to draw; empty: all
 };
 
-// Draws load curve and fields of every frame into the folder. Returns one line for the user; pictures are an
+// Draws load curve and fields of the frames into the folder. Returns one line for the user; pictures are an
 // extra, so that what went wrong is told there, not thrown.
 std::string draw_pictures(const std::filesystem::path& to, const PictureSource& source);
 
 report::LoadCurve load_curve(const PictureSource& source);
-std::string picture_name(const std::string& field, double d_over_B);  // file name
+// FIELD_DDDD.png, DDDD: 1000 d/B; and the fields there are.
+std::string picture_name(const std::string& field, double d_over_B);
+const std::vector<std::string>& field_picture_names();
 
 }  // namespace sandgraph::app

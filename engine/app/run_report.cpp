@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
+#include "app/cross_scale.hpp"
 #include "app/run_pictures.hpp"
 #include "base/error.hpp"
 #include "report/html.hpp"
@@ -69,11 +71,32 @@ std::vector<Row> screening_rows(const FinishedRun& run) {
             {"95 % interval, +-", share(s.audit.ci95)}};
 }
 
+// displacement_0100.png and its like; other pictures of the run have figures of their own.
+bool is_field_picture(const std::string& stem) {
+    const std::string field = stem.substr(0, stem.rfind('_'));
+    return field != stem && std::ranges::find(field_picture_names(), field) != field_picture_names().end();
+}
+
+// Of many frames those nearest to the breakout and to even steps up to the last.
+std::vector<std::size_t> frames_shown(const FinishedRun& run, std::size_t most) {
+    std::vector<double> d;
+    for (std::size_t k = 0; k < run.record.frames; ++k)
+        d.push_back(io::read_run_frame(run.frame_file(), k).d_over_B);
+    if (d.size() <= most) return {};
+    std::set<std::size_t> chosen;
+    const auto add = [&](double at) {
+        const auto nearer = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
+        chosen.insert(static_cast<std::size_t>(std::min_element(d.begin(), d.end(), nearer) - d.begin()));
+    };
+    add(run.summary.peak_d_over_B);
+    for (std::size_t k = 1; k < most; ++k) add(d.back() * double(k) / double(most - 1));
+    return {chosen.begin(), chosen.end()};
+}
+
 std::string field_figures(const FinishedRun& run, const fs::path& pictures) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(pictures))
-        if (entry.path().extension() == ".png" && entry.path().filename() != "load.png")
-            files.push_back(entry.path());
+        if (is_field_picture(entry.path().stem().string())) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     std::string html = "<div class=\"grid\">\n";
     for (const fs::path& file : files) {
@@ -108,11 +131,11 @@ std::vector<FinishedRun> find_runs(const std::vector<std::string>& folders) {
     return runs;
 }
 
-std::string run_chapter(const FinishedRun& run, const fs::path& pictures) {
+std::string run_chapter(const FinishedRun& run, const fs::path& pictures, const ChapterOptions& options) {
     const double phi = run.number("friction_angle_deg"), unit = run.number("unit_load_N_per_m");
-    const std::string told =
-        draw_pictures(pictures, {run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1,
-                                 std::isfinite(phi) ? phi * kDegree : 0});
+    const std::string told = draw_pictures(
+        pictures, {run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1,
+                   std::isfinite(phi) ? phi * kDegree : 0, frames_shown(run, options.frames_max)});
     std::string html =
         fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p class=\"lead\">{0}, scene {2}, revision {3}</p>\n",
                     report::escaped(run.folder.string()), report::escaped(title_of(run.scene)),
@@ -121,6 +144,7 @@ std::string run_chapter(const FinishedRun& run, const fs::path& pictures) {
     if (run.summary.mode == "screening") html += report::table(screening_rows(run));
     html += "</div>\n" + report::figure(pictures / "load.png", "Load against displacement");
     html += "<h3>Fields</h3>\n" + field_figures(run, pictures);
+    html += cross_scale_chapter(run, pictures, options.critical);
     if (told.starts_with("no pictures")) html += "<p class=\"missing\">" + report::escaped(told) + "</p>\n";
     return html +
            report::details("Scene", "<pre>" + report::escaped(run.record.info.scene_text) + "</pre>\n");

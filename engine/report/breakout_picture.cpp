@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 #include "report/analytic.hpp"
+#include "report/series_colour.hpp"
 
 namespace sandgraph::report {
 namespace {
 
-// Okabe & Ito (2008), as in the load picture.
-constexpr std::array<const char*, 4> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7"};
 constexpr int formula_points = 60;
 
 double deepest(const std::vector<BreakoutSeries>& series) {
@@ -63,7 +61,7 @@ Plot breakout_plot(const std::vector<BreakoutSeries>& series) {
         items += (items.empty() ? "plot " : ", \\\n     ") + item;
     };
     for (std::size_t k = 0; k < series.size(); ++k) {
-        const char* colour = colours[k % colours.size()];
+        const char* colour = series_colour(k);
         plot.data.emplace_back(fmt::format("measured{}.txt", k), measured_rows(series[k]));
         add(fmt::format("'measured{}.txt' with points pt 7 ps 1.6 lc rgb '{}' title {}", k, colour,
                         literal(series[k].label)));

@@ -3,18 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "report/colour_scale.hpp"
+#include "report/series_colour.hpp"
 
 namespace sandgraph::report {
 namespace {
 
-// Okabe & Ito (2008): distinguishable with colour-vision deficiency.
-constexpr std::array<const char*, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                             "#E69F00", "#56B4E9", "#000000"};
-
-const char* colour(std::size_t k) { return colours[k % colours.size()]; }
 std::string file_name(std::size_t k) { return fmt::format("curve{}.txt", k); }
 
 std::string rows(const LoadCurve& curve) {
@@ -74,11 +69,11 @@ std::string breakout_label(const LoadCurve& curve, std::size_t k) {
         "set label {} at {},{} point pt 7 ps 1.6 lc rgb '{}' left offset 1,{} noenhanced textcolor '{}' "
         "front\n",
         literal(fmt::format("{}{:.2f} at d/B = {:.3f}", word, n, curve.breakout.d_over_B)),
-        curve.breakout.d_over_B, n, colour(k), 0.8, colour(k));
+        curve.breakout.d_over_B, n, series_colour(k), 0.8, series_colour(k));
 }
 
 std::string curve_item(const LoadCurve& curve, std::size_t k) {
-    return fmt::format("'{}' using 1:2 with lines lw 2 lc rgb '{}' title {}", file_name(k), colour(k),
+    return fmt::format("'{}' using 1:2 with lines lw 2 lc rgb '{}' title {}", file_name(k), series_colour(k),
                        literal(curve.label));
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "dem/observe.hpp"
+#include "report/gnuplot.hpp"
+
+namespace sandgraph::report {
+
+struct PackingPicture {
+    std::string title;
+    dem::Packing packing;
+    dem::Material material;
+    std::optional<Mat2> first_cell;  // H before the pull, drawn dotted
+};
+
+// Left the grains with their force chains: a bar from centre to centre at each contact, as thick as its
+// normal force. Right the rose of contact directions in sectors of 10 deg, 1 where contacts point everywhere
+// alike, with 1 + F_a cos 2(theta - theta_a) of the fabric tensor.
+Plot packing_plot(const PackingPicture& picture);
+Picture draw_packing_picture(const PackingPicture& picture, const std::filesystem::path& png);
+
+}  // namespace sandgraph::report

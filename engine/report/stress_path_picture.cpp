@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "report/region_picture.hpp"
+#include "report/series_colour.hpp"
+
+namespace sandgraph::report {
+namespace {
+
+// One line a moment: p [kPa], q [kPa], e.
+std::string path_rows(const io::RegionSeries& region) {
+    std::string text;
+    for (const io::RegionRow& row : region.rows)
+        text += fmt::format("{:.6g} {:.6g} {:.6g}\n", row.p.mean / 1e3, row.q.mean / 1e3,
+                            row.porosity.mean / (1 - row.porosity.mean));
+    return text;
+}
+
+std::string paths(const RegionPicture& picture, int column, bool titled) {
+    std::string text;
+    for (std::size_t r = 0; r < picture.regions.size(); ++r)
+        text += fmt::format(
+            "'path{0}.txt' using 1:{1} with lines lw 1.6 lc rgb '{2}' {3}, 'end{0}.txt' using 1:{1} with "
+            "points "
+            "pt 7 ps 2 lc rgb '{2}' notitle, ",
+            r, column, series_colour(r), titled ? "title " + literal(picture.regions[r].name) : "notitle");
+    return text.substr(0, text.size() - 2);
+}
+
+std::string critical_item(const std::string& formula, const char* title) {
+    return fmt::format(", {} with lines dt 2 lw 2 lc rgb '#444444' title '{}'", formula, title);
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& csv, const std::string& why) {
+    throw InputError({csv.string()}, "not a critical state table", why,
+                     "make one: sandgraph rve critical -o DIR writes critical_state.csv");
+}
+
+}  // namespace
+
+CriticalLines read_critical_lines(const std::filesystem::path& csv) {
+    std::ifstream in(csv);
+    std::string line;
+    if (!std::getline(in, line) || !line.starts_with("density,seed,pressure,q_over_p,porosity,void_ratio"))
+        refuse(csv, "its first line is another one");
+    double n = 0, ratio = 0, x = 0, e = 0, xx = 0, xe = 0;
+    while (std::getline(in, line)) {
+        std::istringstream row(line.substr(line.find(',') + 1));
+        double seed, pressure, q_over_p, porosity, void_ratio;
+        char comma;
+        if (!(row >> seed >> comma >> pressure >> comma >> q_over_p >> comma >> porosity >> comma >>
+              void_ratio) ||
+            !(pressure > 0))
+            refuse(csv, "a row without numbers: " + line);
+        const double at = std::log(pressure / 1e3);
+        n += 1, ratio += q_over_p, x += at, e += void_ratio, xx += at * at, xe += at * void_ratio;
+    }
+    if (!(n * xx - x * x > 1e-9)) refuse(csv, "it needs tests at two pressures or more");
+    const double slope = (n * xe - x * e) / (n * xx - x * x);
+    return {ratio / n, (e - slope * x) / n, -slope};
+}
+
+Plot stress_path_plot(const RegionPicture& picture, const std::optional<CriticalLines>& lines) {
+    Plot plot;
+    plot.width = 1300, plot.height = 600;
+    for (std::size_t r = 0; r < picture.regions.size(); ++r) {
+        io::RegionSeries end{"", 0, {}};
+        if (!picture.regions[r].rows.empty()) end.rows = {picture.regions[r].rows.back()};
+        plot.data.emplace_back(fmt::format("path{}.txt", r), path_rows(picture.regions[r]));
+        plot.data.emplace_back(fmt::format("end{}.txt", r), path_rows(end));
+    }
+    plot.script = fmt::format(
+        "set multiplot layout 1,2 title {} noenhanced\nset grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset xlabel "
+        "'mean "
+        "stress p [kPa]'\nset ylabel 'deviator q [kPa]'\nset key top left\nset yrange [0:*]\nset xrange "
+        "[0:*]\nplot {}{}\n",
+        literal(picture.title + ": stress paths of the regions (dot: end)"), paths(picture, 2, true),
+        lines ? critical_item(fmt::format("{} * x", lines->stress_ratio), "critical state") : "");
+    plot.script += fmt::format(
+        "set ylabel 'void ratio e'\nset yrange [*:*]\nset xrange [0.3:*]\nset logscale x\nset key bottom "
+        "left\nplot {}{}\nunset multiplot\n",
+        paths(picture, 3, false),
+        lines ? critical_item(fmt::format("{} - {} * log(x)", lines->e_1, lines->slope), "critical state")
+              : "");
+    return plot;
+}
+
+Picture draw_stress_path_picture(const RegionPicture& picture, const std::optional<CriticalLines>& lines,
+                                 const std::filesystem::path& png) {
+    return draw(stress_path_plot(picture, lines), png);
+}
+
+}  // namespace sandgraph::report
