@@ -54,10 +54,10 @@ class Probe {
 };
 
 void check_factor(const std::string& file, const char* name, double ratio) {
-    if (ratio >= 0.4 && ratio <= 2.5) return;
+    if (ratio >= 0.1 && ratio <= 4) return;
     throw InputError({file},
                      fmt::format("the model's {} at rest is {:.3g} times the packing's own", name, ratio),
-                     "0.4 to 2.5 expected", train_again);
+                     "0.1 to 4 expected", train_again);
 }
 
 // Secant moduli of a strain so small that hardly an element slips.

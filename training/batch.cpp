@@ -57,7 +57,9 @@ void fill_steps(Batch& batch, std::span<const CutHistory> histories, std::size_t
     batch.p = steps_of(
         histories, length, [](const Step& s) { return s.p; }, true);
     batch.weight = steps_of(
-        histories, length, [](const Step&) { return 1.0; }, false);
+        histories, length, [](const Step& s) { return s.weight; }, false);
+    batch.lead = steps_of(
+        histories, length, [](const Step& s) { return s.lead; }, false);
     batch.de = complex_steps(histories, length, &Step::de, false);
     batch.s = complex_steps(histories, length, &Step::s, true);
 }
@@ -87,9 +89,9 @@ Batch make_batch(std::span<const CutHistory> histories, torch::Dtype type) {
     Batch batch;
     fill_steps(batch, histories, length);
     fill_constants(batch, histories);
-    for (torch::Tensor* t :
-         {&batch.dv, &batch.J, &batch.J_middle, &batch.strain, &batch.de, &batch.p, &batch.s, &batch.weight,
-          &batch.p0, &batch.e0, &batch.K0, &batch.G0, &batch.Z0, &batch.sin_phi, &batch.fabric, &batch.s0})
+    for (torch::Tensor* t : {&batch.dv, &batch.J, &batch.J_middle, &batch.strain, &batch.de, &batch.p,
+                             &batch.s, &batch.weight, &batch.lead, &batch.p0, &batch.e0, &batch.K0, &batch.G0,
+                             &batch.Z0, &batch.sin_phi, &batch.fabric, &batch.s0})
         *t = t->to(type).contiguous();
     std::vector<std::int64_t> index;
     for (const CutHistory& h : histories) index.push_back(h.index);

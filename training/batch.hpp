@@ -15,6 +15,7 @@ struct Batch {
     torch::Tensor p;                            // [T, B] measured
     torch::Tensor s;                            // [T, B, 2] measured
     torch::Tensor weight;                       // [T, B] in the loss
+    torch::Tensor lead;                         // [T, B] share of its error that p is led back by
     torch::Tensor p0, e0, K0, G0, Z0, sin_phi;  // [B] of the packing
     torch::Tensor fabric, s0;                   // [B, 2] at the start
     torch::Tensor histories;                    // [B] index of each in the set (int64)

@@ -202,7 +202,22 @@ ElementLaw::State ElementLaw::return_map(const Fixed& f, const State& state, con
     return next;
 }
 
+// As fused::lead.
+void ElementLaw::lead(const Batch& batch, std::int64_t step, State& state) {
+    const Tensor measured = torch::maximum(batch.p[step], pressure_floor * batch.p0);
+    const Tensor p = state.p + batch.lead[step] * (measured - state.p);
+    const Tensor factor = (p / state.p).detach();
+    state.p = p;
+    state.t = state.t * factor.unsqueeze(2).unsqueeze(3);
+    state.s = state.s * factor.unsqueeze(2);
+}
+
 Prediction ElementLaw::rollout(const Batch& batch) const {
+    if (rung_ == Rung::elastic && batch.lead.any().item<bool>()) {  // no friction ties the elements to p
+        Batch unled = batch;
+        unled.lead = torch::zeros_like(batch.lead);
+        return rollout(unled);
+    }
     if (fused && !midpoint) return roll_out_fused(*this, batch);
     Fixed f = fix(batch);
     const bool net = rung_ == Rung::learned;
@@ -223,6 +238,7 @@ Prediction ElementLaw::rollout(const Batch& batch) const {
         p.push_back(state.p);
         s.push_back(state.s);
         slip.push_back(state.gamma);
+        lead(batch, step, state);
     }
     return {torch::stack(p), torch::stack(s), torch::stack(slip)};
 }

@@ -45,6 +45,7 @@ class ElementLaw : public Law {
     Coefficients coefficients(const Fixed& fixed, const State& state, const torch::Tensor& layer1) const;
     State return_map(const Fixed& fixed, const State& state, const Coefficients& c, std::int64_t step,
                      double part) const;
+    static void lead(const Batch& batch, std::int64_t step, State& state);
 
     Rung rung_;
 };

@@ -77,6 +77,7 @@ void roll_out(const Weights<T>& w, const Range<T>& range, const Blocks<T>& block
         to.store(answers.re, step, sum<T>(s.re));
         to.store(answers.im, step, sum<T>(s.im));
         to.store(answers.slip, step, s.gamma);
+        lead(blocks.given[block][static_cast<std::size_t>(step)], s);
     }
 }
 
@@ -92,11 +93,12 @@ Weights<T> roll_back(const Weights<T>& w, const Range<T>& range, const Blocks<T>
     Forward<T> f;
     for (std::int64_t step = blocks.steps - 1; step >= 0; --step) {
         const V re = from.load(adjoint.re, step), im = from.load(adjoint.im, step);
-        a.p += from.load(adjoint.p, step);
-        for (int k = 0; k < M; ++k) a.re[k] += re, a.im[k] += im;
         const Given<T>& g = blocks.given[block][static_cast<std::size_t>(step)];
         const State<T>& s = tape[static_cast<std::size_t>(step)];
         f.run(w, range, g, s, net);
+        lead_back(g, f.p, a);
+        a.p += from.load(adjoint.p, step);
+        for (int k = 0; k < M; ++k) a.re[k] += re, a.im[k] += im;
         step_back(w, g, s, f, net, a, gradient);
     }
     return summed_over_lanes(gradient);

@@ -41,7 +41,8 @@ struct State {
 template <class T>
 struct Given {
     using V = Lanes<T>;
-    V dv, de_re, de_im, e;                            // strain; feature of the void ratio
+    V dv, de_re, de_im, e;  // strain; feature of the void ratio
+    V p_measured, lead;     // after the step the pressure goes this share of the way to that
     V log_p0, K0, G0, p_least, fabric_re, fabric_im;  // of the packing
     std::array<V, 4> still;                           // features 4 to 7
 };
@@ -70,6 +71,23 @@ struct Forward {
     void coefficients(const Weights<T>& w, const Given<T>& g, const V& scale);
     void return_map(const Given<T>& g, const State<T>& s);
 };
+
+// Leads the pressure to the measured one; elements keep their ratio to it. Answers that factor.
+template <class T>
+Lanes<T> lead(const Given<T>& g, State<T>& s) {
+    const Lanes<T> p = s.p + g.lead * (g.p_measured.max(g.p_least) - s.p), factor = p / s.p;
+    s.p = p;
+    for (int k = 0; k < M; ++k) s.re[k] *= factor, s.im[k] *= factor;
+    return factor;
+}
+
+// Its adjoint; the factor counts as given.
+template <class T>
+void lead_back(const Given<T>& g, const Lanes<T>& p_before, State<T>& a) {
+    const Lanes<T> factor = T(1) + g.lead * (g.p_measured.max(g.p_least) / p_before - T(1));
+    a.p *= T(1) - g.lead;
+    for (int k = 0; k < M; ++k) a.re[k] *= factor, a.im[k] *= factor;
+}
 
 // Turns the adjoint of the state after a step into that before it, and adds to the weights' adjoint.
 template <class T>

@@ -52,6 +52,7 @@ Blocks<T> blocks_of(const Batch& batch) {
         for (std::int64_t t = 0; t < batch.steps(); ++t) {
             Given<T>& step = steps[static_cast<std::size_t>(t)];
             step.dv = lanes_of<T>(batch.dv[t], block), step.e = lanes_of<T>(e[t], block);
+            step.p_measured = lanes_of<T>(batch.p[t], block), step.lead = lanes_of<T>(batch.lead[t], block);
             step.de_re = lanes_of<T>(de_re[t], block), step.de_im = lanes_of<T>(de_im[t], block);
         }
         State<T> start{lanes_of<T>(batch.p0, block), Lanes<T>::Zero(), {}, {}};

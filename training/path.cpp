@@ -25,6 +25,12 @@ Strain strain_of(const Mat2& F) {
     return {-(E.xx + E.yy), {-0.5 * (E.xx - E.yy), -E.xy}, std::atan2(E.sin, E.cos)};
 }
 
+double lead(const CutRule& rule, double path, double size) {
+    if (rule.lead_strain <= 0) return 0;
+    const double fully = std::clamp(path / rule.lead_from - 1, 0.0, 1.0);
+    return fully * -std::expm1(-size / rule.lead_strain);
+}
+
 // Walks along a history and closes a step when the rule says so.
 class Cutter {
   public:
@@ -72,6 +78,8 @@ Step Cutter::close(const Stress& measured) {
     angle_ += E.angle;
     J_ *= J;
     step.s = deviator_of(measured) * std::polar(1.0, -2 * angle_);
+    step.lead = lead(rule_, path_, E.size());
+    step.weight = std::sqrt(std::min(1.0, E.size() / std::max(rule_.share * since_turn_, 1e-12)));
     F_ = Mat2::Identity();
     open_ = false;
     return step;

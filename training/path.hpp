@@ -12,6 +12,11 @@ struct CutRule {
     double least = 2e-5, most = 4e-4;
     double share = 0.06;
     double coarser = 1;  // all three times this: the same history cut finer or coarser
+    // Past a path of `lead_from` the measured pressure leads: over a strain of `lead_strain` a rollout's
+    // error of p decays by 1/e (fully so past twice that path). 0: never. Where grains flow, p under given
+    // strain is weather (two packings part by several p), but q/p and dilation at a given p and void ratio
+    // are climate.
+    double lead_from = 0, lead_strain = 0;
 };
 
 // A history in the frame that turns with its packing, in the sign convention of surrogate/: compression
@@ -23,6 +28,8 @@ struct Step {
     double strain = 0;           // length of the path behind the step, sum of |E|
     double p = 0;                // measured mean stress after the step [Pa]
     std::complex<double> s;      // measured deviator after it [Pa]
+    double lead = 0;             // share of its error by which p is led to the measured one after the step
+    double weight = 1;           // in the loss: flow is long and much the same
 };
 
 std::vector<Step> cut(const History& history, const CutRule& rule);

@@ -50,7 +50,11 @@ TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::stri
     TrainingData data;
     data.set = read_histories(logs);
     data.split = split(data.set, spec);
-    data.rule = {.least = spec.step_least, .most = spec.step_most, .share = spec.step_share};
+    data.rule = {.least = spec.step_least,
+                 .most = spec.step_most,
+                 .share = spec.step_share,
+                 .lead_from = spec.lead_from,
+                 .lead_strain = spec.lead_strain};
     data.hash = data_hash(spec, data.set);
     const auto batches = [&](const std::vector<std::int64_t>& which, double coarser, std::size_t size) {
         CutRule rule = data.rule;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace sandgraph::app {
@@ -12,6 +13,8 @@ using std::numbers::pi;
 
 constexpr double kRowsLeast = 20;  // updates of a path, about
 constexpr double kAway = 3e-3;     // length of a leg of several that p cannot follow, at most
+constexpr double kApartMin = 1e-4, kApartMax = 2e-2;    // extension that pulls a flowing packing apart
+constexpr double kFlowIncrement = 2e-4;                 // |strain increment| of flow
 constexpr double kDitherMin = 1e-6, kDitherMax = 2e-5;  // |strain increment| of grid noise
 
 // Random numbers of the plan; those along the path have the other seed.
@@ -96,6 +99,40 @@ class Draw {
         path.legs = {leg};
         return path;
     }
+    // Shear far beyond the peak, as in a developed band: simple shear (which spins) or pure, p led slowly to
+    // other values; between two legs the packing may lose its stress and find it again.
+    std::vector<ProbeLeg> flow() {
+        std::vector<ProbeLeg> legs;
+        double axis = uniform(0, pi), pressure = 1;
+        for (int left = static_cast<int>(uniform(1, 4)); left > 0; --left) {
+            ProbeLeg leg;
+            leg.volume = VolumeControl::pressure, leg.axis = axis;
+            leg.length = log_uniform(0.1 * paths_.flow_length, paths_.flow_length);
+            if (chance(0.5)) leg.spin = (chance(0.5) ? 1 : -1) * leg.length / std::numbers::sqrt2;
+            leg.pressure = pressure = std::exp(uniform(-1.5, 1.5));
+            legs.push_back(leg);
+            if (chance(0.4)) legs.push_back(apart(axis, pressure));
+            if (chance(0.4)) axis = chance(0.5) ? axis + pi / 2 : uniform(0, pi);
+        }
+        return legs;
+    }
+    ProbeLeg apart(double axis, double pressure) {
+        ProbeLeg leg;
+        leg.length = log_uniform(kApartMin, kApartMax), leg.axis = axis, leg.pressure = pressure;
+        leg.direction = uniform(0.6 * pi, pi);
+        return leg;
+    }
+    ProbePath flowing() {
+        ProbePath out;
+        out.legs = flow();
+        double length = 0;
+        for (const ProbeLeg& leg : out.legs) length += leg.length;
+        out.increment = std::max(kFlowIncrement, length / paths_.flow_rows);
+        out.share = std::numeric_limits<double>::infinity();  // p is held, however stiff
+        out.updates = paths_.flow_rows;
+        out.uneven = true;
+        return out;
+    }
     ProbePath path(std::vector<ProbeLeg> legs) {
         double length = 0;
         for (const ProbeLeg& leg : legs) length += leg.length;
@@ -136,6 +173,8 @@ ProbePath drawn(HistoryPath kind, Draw& draw) {
             return draw.path(draw.mixed());
         case HistoryPath::dither:
             return draw.dither();
+        case HistoryPath::flow:
+            return draw.flowing();
         default:
             return draw.path({draw.constant_pressure()});
     }

@@ -12,19 +12,21 @@
 namespace sandgraph::app {
 namespace {
 
-constexpr int kLoose = 20;     // updates below kLeast after which a history ends
+constexpr int kLoose = 20;  // updates below kLeast after which a history ends, or a share of its updates
+constexpr int kLooseShare = 20;
 constexpr double kLeast = 50;  // mean stress that is hardly any [Pa]
 constexpr int kCut = 10;       // increments of a finer twin for one, and of the original for one of a coarser
 
 // The packing of one history, and what it went through.
 class Specimen {
   public:
-    Specimen(const graph::RowPacking& row, const scene::ProbeSpec& spec, std::size_t history)
+    Specimen(const graph::RowPacking& row, const scene::ProbeSpec& spec, std::size_t history, int updates)
         : rve_(row.packing),
           material_(spec.grains.material),
           options_(rve_options(spec.rve, material_, row.packing->grains->radius)),
           stop_(spec.paths.pressure_stop),
-          history_(static_cast<std::int32_t>(history)) {}
+          history_(static_cast<std::int32_t>(history)),
+          loose_most_(std::max(kLoose, updates / kLooseShare)) {}
 
     double pressure() const { return mean_stress(tension_positive(rve_.stress())); }
     void drive(const Mat2& F_inc) {
@@ -40,7 +42,7 @@ class Specimen {
         lost_ = row.status > io::HistoryStatus::floating;
         rows_.push_back(row);
     }
-    bool ended() const { return lost_ || loose_ >= kLoose || pressure() > stop_; }
+    bool ended() const { return lost_ || loose_ >= loose_most_ || pressure() > stop_; }
     std::vector<io::HistoryRow>& rows() { return rows_; }
 
   private:
@@ -50,7 +52,7 @@ class Specimen {
     dem::Workspace work_;
     double stop_;
     std::int32_t history_;
-    int loose_ = 0;
+    int loose_ = 0, loose_most_;
     bool lost_ = false;
     std::vector<io::HistoryRow> rows_;
 };
@@ -90,12 +92,12 @@ std::vector<io::HistoryRow> run_probe(const ProbeJob& job, const ProbePlan& plan
         return samples[static_cast<std::size_t>(plan.histories[history].packing)];
     };
     const ProbeSample& first = sample(job.first);
-    Specimen specimen(first.row, spec, job.first);
+    Specimen specimen(first.row, spec, job.first, job.path.updates);
     ProbeWalk walk(job.path, first.traits.pressure, first.traits.bulk, spec.seed);
     while (!walk.done() && !specimen.ended()) specimen.drive(walk.next(specimen.pressure()));
     std::vector<io::HistoryRow> rows = specimen.rows();
     for (std::size_t h = job.first + 1; h < job.first + job.count; ++h) {
-        Specimen twin(sample(h).row, spec, h);
+        Specimen twin(sample(h).row, spec, h, job.path.updates);
         for (const Mat2& F_inc : repeated(specimen.rows(), plan.histories[h]))
             if (!twin.ended()) twin.drive(F_inc);
         rows.insert(rows.end(), twin.rows().begin(), twin.rows().end());

@@ -72,12 +72,13 @@ void write_value_names(Group& group, const char* name) {
     }
 }
 
-// Another list of names means other meanings of the numbers; a number without a name has none.
+// Another list of names means other meanings of the numbers (a shorter one is an older file's: names are only
+// added at the end); a number without a name has none.
 template <class T>
 void check_values(const Group& group, const char* name, const std::vector<typename Cells<T>::Stored>& cells) {
     if constexpr (std::is_enum_v<T>) {
         const std::string text = joined(names(T{}));
-        if (get_text(group, name, "values") != text)
+        if (!(text + " ").starts_with(get_text(group, name, "values") + " "))
             refuse(group, fmt::format("the values of {} differ", group.path_of(name)), "expected: " + text);
         for (const auto cell : cells)
             if (cell >= names(T{}).size())

@@ -7,7 +7,8 @@ constexpr std::array modes{"dem", "surrogate", "replay", "audit"};
 constexpr std::array statuses{"ok", "floating", "bad_increment", "diverged"};
 constexpr std::array densities{"dense", "loose", "custom"};
 constexpr std::array paths{
-    "pull", "proportional", "cyclic", "dither", "rotating", "constant_volume", "constant_pressure", "mixed"};
+    "pull",  "proportional", "cyclic", "dither", "rotating", "constant_volume", "constant_pressure",
+    "mixed", "flow"};
 constexpr std::array twins{"none", "other_seed", "rotated", "finer", "coarser"};
 
 }  // namespace

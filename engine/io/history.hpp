@@ -56,7 +56,8 @@ enum class HistoryPath : std::uint8_t {
     rotating,
     constant_volume,
     constant_pressure,
-    mixed
+    mixed,
+    flow
 };
 // A twin repeats the strain path of an earlier history: on another packing of the same kind, turned by
 // `rotation`, or with its increments cut in ten or ten of them joined. Twins measure the noise floor.

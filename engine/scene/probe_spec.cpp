@@ -29,6 +29,8 @@ void add_path_keys(KeyTable& keys, ProbePaths& p) {
     paths.integer("dither", p.dither, 0, "small random increments about a slow trend");
     paths.integer("rotating", p.rotating, 0, "principal axes that turn, with spin");
     paths.integer("mixed", p.mixed, 0, "several legs: load, unload, turn, p rising or falling");
+    paths.integer("flow", p.flow, 0,
+                  "long shear at slowly moving p, pulled apart and pressed together between");
     paths.real("length_min", p.length_min, "", above(0), "of a path, sum of |strain increment|");
     paths.real("length_max", p.length_max, "", above_up_to(0, 10), "of a path");
     paths.real("increment_min", p.increment_min, "", above(0),
@@ -36,6 +38,8 @@ void add_path_keys(KeyTable& keys, ProbePaths& p) {
     paths.real("increment_max", p.increment_max, "", above_up_to(0, 0.01), "of an update");
     paths.integer("rows_max", p.rows_max, 10, "updates of a history at most");
     paths.integer("dither_rows", p.dither_rows, 10, "updates of a dithering history");
+    paths.integer("flow_rows", p.flow_rows, 10, "updates of a flowing history");
+    paths.real("flow_length", p.flow_length, "", above_up_to(0, 10), "of a leg of flow at most");
     paths.real("pressure_stop", p.pressure_stop, "kPa", above(0), "p at which a history ends");
     paths.integer("twin_every", p.twin_every, 0,
                   "every how many-th history has twins, for the noise floor; 0: none");

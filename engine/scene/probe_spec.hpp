@@ -19,11 +19,13 @@ struct ProbePackings {
 // How many strain paths of each kind, and how long.
 struct ProbePaths {
     int proportional = 150, constant_volume = 100, constant_pressure = 350, cyclic = 200, dither = 100,
-        rotating = 150, mixed = 350;
+        rotating = 150, mixed = 350, flow = 250;
     double length_min = 1e-4, length_max = 0.3;         // sum of |strain increment|, log-uniform
     double increment_min = 1e-5, increment_max = 5e-4;  // |strain increment| of an update, log-uniform
     int rows_max = 1000;                                // updates of a history at most
     int dither_rows = 2000;                             // of a dithering history
+    int flow_rows = 4000;                               // of a flowing one
+    double flow_length = 1;                             // of a leg of flow, at most
     double pressure_stop = 1e6;                         // mean stress at which a history ends [Pa]
     int twin_every = 10;                                // every how many-th history has twins; 0: none
 };

@@ -49,6 +49,11 @@ void add_step_keys(KeyTable& keys, TrainSpec& spec) {
                "strain of a training step over that gone through since the start or the last turn");
     steps.real("least", spec.step_least, "", above(0), "smallest strain of a training step");
     steps.real("most", spec.step_most, "", above_up_to(0, 0.01), "largest strain of a training step");
+    steps.real(
+        "lead_from", spec.lead_from, "", above(0),
+        "path after which the measured pressure leads: where grains flow, p under given strain is chance");
+    steps.real("lead_strain", spec.lead_strain, "", at_least(0),
+               "strain over which the error of p then decays by 1/e; 0: never");
 }
 
 void add_training_keys(KeyTable& keys, TrainSpec& spec) {

@@ -25,8 +25,9 @@ scene::ProbeSpec small_probe() {
     spec.text = "small";
     spec.grains.count = 60;
     spec.packings = {2, 1, {0.16, 0.20}, 2, 5e3, 50e3};
-    spec.paths = {1, 1, 3, 2, 1, 2, 3};
+    spec.paths = {1, 1, 3, 2, 1, 2, 3, 2};
     spec.paths.length_max = 0.02, spec.paths.rows_max = 100, spec.paths.dither_rows = 200;
+    spec.paths.flow_rows = 600, spec.paths.flow_length = 0.2;
     spec.paths.twin_every = 4;
     return spec;
 }
@@ -92,7 +93,8 @@ TEST(Probe, LogsEveryKindOfPathAndItsPackings) {
         if (info.twin == HistoryTwin::none) paths.insert(info.path);
     EXPECT_EQ(paths.count(HistoryPath::constant_pressure), 3u);
     EXPECT_EQ(paths.count(HistoryPath::dither), 1u);
-    EXPECT_EQ(paths.size(), 13u);
+    EXPECT_EQ(paths.count(HistoryPath::flow), 2u);
+    EXPECT_EQ(paths.size(), 15u);
     ASSERT_EQ(log.packings.size(), 8u);
     for (const io::HistoryPacking& p : log.packings) {
         EXPECT_NEAR(p.traits.porosity, p.target_porosity, 0.01);

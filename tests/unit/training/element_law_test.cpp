@@ -16,7 +16,7 @@ namespace {
 struct Sample {
     HistorySet set = support::random_histories(20, 60);
     std::vector<Batch> batches;
-    explicit Sample(const CutRule& rule = {}) {
+    explicit Sample(const CutRule& rule = {.lead_from = 1e-3, .lead_strain = 1e-3}) {
         std::vector<std::int64_t> all(set.histories.size());
         std::iota(all.begin(), all.end(), 0);
         batches = make_batches(cut_all(set, all, rule, 1), 100, torch::kDouble);
