@@ -19,9 +19,9 @@ struct RegionPicture {
 Plot region_plot(const RegionPicture& picture);
 Picture draw_region_picture(const RegionPicture& picture, const std::filesystem::path& png);
 
-// The critical state of the grains: q = stress_ratio p and e = e_1 - slope ln(p / 1 kPa).
+// The critical state of the grains: q = stress_ratio p and e = e_0 - slope p / 100 kPa.
 struct CriticalLines {
-    double stress_ratio = 0, e_1 = 0, slope = 0;
+    double stress_ratio = 0, e_0 = 0, slope = 0;
 };
 // Means over the tests of a critical_state.csv (`sandgraph rve critical`), the line of e by least squares.
 // InputError when the file is no such table.

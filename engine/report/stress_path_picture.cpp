@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -57,7 +55,7 @@ CriticalLines read_critical_lines(const std::filesystem::path& csv) {
               void_ratio) ||
             !(pressure > 0))
             refuse(csv, "a row without numbers: " + line);
-        const double at = std::log(pressure / 1e3);
+        const double at = pressure / 100e3;
         n += 1, ratio += q_over_p, x += at, e += void_ratio, xx += at * at, xe += at * void_ratio;
     }
     if (!(n * xx - x * x > 1e-9)) refuse(csv, "it needs tests at two pressures or more");
@@ -85,7 +83,7 @@ Plot stress_path_plot(const RegionPicture& picture, const std::optional<Critical
         "set ylabel 'void ratio e'\nset yrange [*:*]\nset xrange [0.3:*]\nset logscale x\nset key bottom "
         "left\nplot {}{}\nunset multiplot\n",
         paths(picture, 3, false),
-        lines ? critical_item(fmt::format("{} - {} * log(x)", lines->e_1, lines->slope), "critical state")
+        lines ? critical_item(fmt::format("{} - {} * x / 100", lines->e_0, lines->slope), "critical state")
               : "");
     return plot;
 }
