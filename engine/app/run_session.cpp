@@ -135,9 +135,7 @@ void RunSession::wind_up() {
 }
 
 void RunSession::discard_restart_files() {
-    const std::filesystem::path checkpoint = options_.folder / io::checkpoint_name;
-    std::filesystem::remove(checkpoint);
-    std::filesystem::remove(io::previous_checkpoint(checkpoint));
+    io::remove_checkpoints(options_.folder / io::checkpoint_name);
     if (history_) history_->discard_journal();
 }
 

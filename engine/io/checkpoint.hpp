@@ -18,6 +18,9 @@ struct CheckpointHeader {
 
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path);  // PATH.prev
 
+// Removes PATH, PATH.prev, and the PATH.tmp of a writer that was killed.
+void remove_checkpoints(const std::filesystem::path& path);
+
 // Writes a checkpoint to PATH.tmp; commit() seals it, brings it to the disk and renames it, and the
 // checkpoint before it stays as PATH.prev. Killed at any moment, PATH or PATH.prev is whole.
 class CheckpointWriter : public Archive {

@@ -16,10 +16,9 @@ namespace fs = std::filesystem;
 namespace {
 
 void remove_stale(const fs::path& folder) {
-    const fs::path checkpoint = folder / checkpoint_name;
-    for (const fs::path& path :
-         {checkpoint, previous_checkpoint(checkpoint), folder / "run.h5", folder / "summary.json",
-          folder / "fields.xdmf", folder / "history.h5", folder / "history.part", folder / "regions.csv"})
+    remove_checkpoints(folder / checkpoint_name);
+    for (const fs::path& path : {folder / "run.h5", folder / "summary.json", folder / "fields.xdmf",
+                                 folder / "history.h5", folder / "history.part", folder / "regions.csv"})
         fs::remove(path);
 }
 

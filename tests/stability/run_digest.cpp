@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -62,18 +63,33 @@ void add_summary(const fs::path& file, Digest& out) {
 
 Digest digest(const fs::path& folder) {
     Digest out;
-    for (const char* name : {"load.csv", "fields.xdmf"}) out[name] = hex(hash64(text_of(folder / name)));
-    for (const char* name : {"run.h5", "history.h5"})
-        if (fs::exists(folder / name)) add(h5::File::open(folder / name).root(), name, out);
-    if (fs::exists(folder / "summary.json")) add_summary(folder / "summary.json", out);
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = fs::relative(entry.path(), folder).string();
+        if (!entry.is_regular_file()) continue;
+        if (name == "summary.json")
+            add_summary(entry.path(), out);
+        else if (entry.path().extension() == ".h5")
+            add(h5::File::open(entry.path()).root(), name, out);
+        else
+            out[name] = hex(hash64(text_of(entry.path())));
+    }
     return out;
 }
 
-int differences(const Digest& a, const Digest& b) {
-    int count = 0;
-    for (const auto& [name, value] : a) count += !b.contains(name) || b.at(name) != value;
-    for (const auto& [name, value] : b) count += !a.contains(name);
-    return count;
+std::vector<std::string> differences(const Digest& a, const Digest& b) {
+    std::vector<std::string> out;
+    for (const auto& [name, value] : a)
+        if (!b.contains(name) || b.at(name) != value) out.push_back(name);
+    for (const auto& [name, value] : b)
+        if (!a.contains(name)) out.push_back(name);
+    return out;
+}
+
+void check_same(const std::string& what, const std::vector<std::string>& differences, Findings& found) {
+    std::string text = "outputs that differ from those of " + what;
+    for (std::size_t k = 0; k < std::min<std::size_t>(differences.size(), 3); ++k)
+        text += "; " + differences[k];
+    found.exactly(text, static_cast<double>(differences.size()), 0);
 }
 
 }  // namespace sandgraph::stability

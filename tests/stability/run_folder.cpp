@@ -26,6 +26,14 @@ count = 100
 load_every = 0.001
 frames = [0, 0.01, 0.02, 0.03]
 checkpoint_every = "0.05 s"
+[[region]]
+name = "band"
+x = [0.5, 0.8]
+y = [0.2, 0.7]
+packings = [0, 0.01, 0.02]
+[[region]]
+name = "above"
+at = [0.2, 0.3]
 )";
 
 std::vector<std::string> settings(Effort effort, RunMode mode) {
