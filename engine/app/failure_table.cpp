@@ -12,21 +12,31 @@ namespace sandgraph::app {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr report::ShearBand kNoBand{nan, nan, nan, nan};
+constexpr report::ShearBand kNoBand{nan, nan, nan, nan, nan};
 
 std::vector<double> numbers(const FailureRow& r) {
-    return {
-        r.d_over_B,      r.surface.highest, r.surface.lowest,   r.surface.heave_ahead, r.surface.sink_behind,
-        r.zone.ahead,    r.zone.behind,     r.zone.above,       r.zone.below,          r.cavity,
-        r.total.lower,   r.total.middle,    r.total.upper,      r.total.at_surface,    r.recent.lower,
-        r.recent.middle, r.recent.upper,    r.recent.at_surface};
+    std::vector<double> row = {r.d_over_B,
+                               r.surface.highest,
+                               r.surface.lowest,
+                               r.surface.visible_ahead,
+                               r.surface.heave_ahead,
+                               r.surface.sink_behind,
+                               r.zone.ahead,
+                               r.zone.behind,
+                               r.zone.above,
+                               r.zone.below,
+                               r.cavity};
+    for (const report::ShearBand& band : {r.total, r.recent})
+        row.insert(row.end(), {band.lower, band.middle, band.upper, band.at_surface, band.edge_at_surface});
+    return row;
 }
 
 constexpr const char* kHeader =
-    "run,d_over_B,highest_rise,lowest_rise,heave_ahead,sink_behind,zone_ahead,zone_behind,zone_above,zone_"
-    "below,"
-    "cavity,band_lower,band_middle,band_upper,band_at_surface,recent_lower,recent_middle,recent_upper,"
-    "recent_at_surface\n";
+    "run,d_over_B,highest_rise,lowest_rise,visible_ahead,heave_ahead,sink_behind,zone_ahead,zone_behind,zone_"
+    "above,"
+    "zone_below,cavity,band_lower,band_middle,band_upper,band_at_surface,band_edge,recent_lower,recent_"
+    "middle,"
+    "recent_upper,recent_at_surface,recent_edge\n";
 
 }  // namespace
 

@@ -14,10 +14,12 @@ namespace sandgraph::report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double edge_share = 0.1;  // of d: what counts as a rise of the surface
-constexpr double strained = 0.1;    // eps_eq
-constexpr double band_reach = 0.3;  // [B] about a row's largest strain
-constexpr double band_share = 0.5;  // of a row's largest strain
+constexpr double edge_share = 0.1;     // of d: what counts as a rise of the surface
+constexpr double visible_rise = 0.01;  // [B]
+constexpr double strained = 0.1;       // eps_eq
+constexpr double edge_strain = 0.2;    // eps_eq of the outer edge near the surface
+constexpr double band_reach = 0.3;     // [B] about a row's largest strain
+constexpr double band_share = 0.5;     // of a row's largest strain
 constexpr std::size_t fewest_rows = 3;
 constexpr int cavity_bins = 10;  // per point across
 
@@ -76,6 +78,23 @@ std::vector<Line> band_line(const io::Frame& frame, const std::vector<double>& s
     return line;
 }
 
+// Outermost strained point of each row in the uppermost half width.
+std::vector<Line> outer_edge(const io::Frame& frame, const std::vector<double>& strain,
+                             const GroundView& view) {
+    const double size = view.point_size;
+    const auto rows = static_cast<std::size_t>(std::lround(0.5 * view.anchor_width / size));
+    std::vector<Line> line;
+    for (std::size_t k = 0; k < rows; ++k) {
+        const double top = view.surface - static_cast<double>(k) * size;
+        double outermost = nan;
+        for (std::size_t p = 0; p < frame.x.size(); ++p)
+            if (frame.y[p] <= top && frame.y[p] > top - size && strain[p] >= edge_strain && frame.x[p] > 0)
+                outermost = std::isnan(outermost) ? frame.x[p] : std::max(outermost, frame.x[p]);
+        if (std::isfinite(outermost)) line.push_back({outermost, top - 0.5 * size});
+    }
+    return line;
+}
+
 }  // namespace
 
 SurfaceShape surface_shape(const io::Frame& frame, const GroundView& view) {
@@ -88,6 +107,8 @@ SurfaceShape surface_shape(const io::Frame& frame, const GroundView& view) {
         if (frame.y[p] - u.values[2 * p + 1] < view.surface - view.point_size) continue;
         const double x = frame.x[p] - start, rise = u.values[2 * p + 1] / d;
         shape.highest = std::max(shape.highest, rise), shape.lowest = std::min(shape.lowest, rise);
+        if (u.values[2 * p + 1] >= visible_rise * B)
+            shape.visible_ahead = std::max(shape.visible_ahead, x / B);
         if (rise >= edge_share) shape.heave_ahead = std::max(shape.heave_ahead, x / B);
         if (rise <= -edge_share) shape.sink_behind = std::max(shape.sink_behind, -x / B);
     }
@@ -127,12 +148,14 @@ double cavity_share(const io::Frame& frame, const GroundView& view) {
 }
 
 ShearBand shear_band(const io::Frame& early, const io::Frame& late, const GroundView& view) {
-    const std::vector<Line> line = band_line(late, strain_between(early, late), view);
+    const std::vector<double> strain = strain_between(early, late);
+    const std::vector<Line> line = band_line(late, strain, view), edge = outer_edge(late, strain, view);
     const auto at = [&](std::size_t third) {
         return line.begin() + static_cast<std::ptrdiff_t>(third * line.size() / 3);
     };
     const double surface = line.empty() ? nan : line.back().x / view.anchor_width;
-    return {angle_of(at(0), at(1)), angle_of(at(1), at(2)), angle_of(at(2), line.end()), surface};
+    return {angle_of(at(0), at(1)), angle_of(at(1), at(2)), angle_of(at(2), line.end()), surface,
+            angle_of(edge.begin(), edge.end())};
 }
 
 }  // namespace sandgraph::report

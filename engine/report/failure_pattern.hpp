@@ -33,6 +33,9 @@ double cavity_share(const io::Frame& frame, const GroundView& view);
 struct ShearBand {
     double lower = 0, middle = 0, upper = 0;
     double at_surface = 0;  // x/B where it meets the surface
+    // Outer edge of the points strained past 0.2 in the uppermost half width, where a band may bend outwards
+    // [deg].
+    double edge_at_surface = 0;
 };
 // Of the strain between two frames: F_late F_early^-1.
 ShearBand shear_band(const io::Frame& early, const io::Frame& late, const GroundView& view);

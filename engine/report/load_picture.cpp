@@ -10,6 +10,8 @@
 namespace sandgraph::report {
 namespace {
 
+constexpr std::size_t labelled_curves = 3;
+
 std::string file_name(std::size_t k) { return fmt::format("curve{}.txt", k); }
 
 std::string rows(const LoadCurve& curve) {
@@ -61,9 +63,13 @@ std::string reference_labels(const std::vector<ReferenceLine>& references) {
     return text;
 }
 
-std::string breakout_label(const LoadCurve& curve, std::size_t k) {
+// Of many curves the dots alone, or their words would cover each other.
+std::string breakout_label(const LoadCurve& curve, std::size_t k, bool many) {
     if (curve.breakout.d_over_B <= 0) return {};
     const double n = curve.breakout.load / curve.unit_load;
+    if (many)
+        return fmt::format("set label '' at {},{} point pt 7 ps 1.3 lc rgb '{}' front\n",
+                           curve.breakout.d_over_B, n, series_colour(k));
     const char* word = curve.breakout.kind == BreakoutKind::still_rising ? "still rising, " : "";
     return fmt::format(
         "set label {} at {},{} point pt 7 ps 1.6 lc rgb '{}' left offset 1,{} noenhanced textcolor '{}' "
@@ -73,8 +79,8 @@ std::string breakout_label(const LoadCurve& curve, std::size_t k) {
 }
 
 std::string curve_item(const LoadCurve& curve, std::size_t k) {
-    return fmt::format("'{}' using 1:2 with lines lw 2 lc rgb '{}' title {}", file_name(k), series_colour(k),
-                       literal(curve.label));
+    return fmt::format("'{}' using 1:2 with lines lw 2 lc rgb '{}' dt {} title {}", file_name(k),
+                       series_colour(k), 1 + k / series_colours.size() % 5, literal(curve.label));
 }
 
 std::string reference_item(const ReferenceLine& r) {
@@ -86,12 +92,14 @@ std::string reference_item(const ReferenceLine& r) {
 Plot load_plot(const LoadPicture& picture) {
     Plot plot;
     plot.script = axes(picture) + reference_labels(picture.references);
+    const bool many = picture.curves.size() > labelled_curves;
+    if (many) plot.width = 1500, plot.script += "set key outside right top\n";
     std::string items;
     const auto add = [&](const std::string& item) {
         items += (items.empty() ? "plot " : ", \\\n     ") + item;
     };
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
-        plot.script += breakout_label(picture.curves[k], k);
+        plot.script += breakout_label(picture.curves[k], k, many);
         plot.data.emplace_back(file_name(k), rows(picture.curves[k]));
         add(curve_item(picture.curves[k], k));
     }

@@ -55,6 +55,12 @@ TEST(ShearBandRule, FindsTheAngleOfAStraightBand) {
     }
 }
 
+TEST(ShearBandRule, SeesTheOuterEdgeBendOutwardsAtTheSurface) {
+    const auto funnel = [](double x, double y) { return x < 0.6 + std::max(0.0, y - 3.5) ? 1.0 : 0.0; };
+    const ShearBand found = shear_band(ground(0, none, flat), ground(kTravel, funnel, flat), half_model());
+    EXPECT_NEAR(found.edge_at_surface, 45, 4);
+}
+
 TEST(ShearBandRule, OfLateStrainDoesNotSeeEarlierStrain) {
     const auto both = [](double x, double y) { return band(90)(x, y) + band(60)(x, y); };
     const ShearBand late = shear_band(ground(0.1, band(90), flat), ground(kTravel, both, flat), half_model());
@@ -65,6 +71,7 @@ TEST(HeaveRule, EndsWhereTheRiseIsATenthOfTheTravel) {
     const auto cone = [](double x) { return kTravel * std::max(0.0, 1 - x / 2); };  // a tenth at x = 1.8
     const SurfaceShape shape = surface_shape(ground(kTravel, none, cone), half_model());
     EXPECT_NEAR(shape.heave_ahead, 1.8, 0.06);
+    EXPECT_NEAR(shape.visible_ahead, 1.9, 0.06);  // rises 0.01 m there
     EXPECT_GT(shape.highest, 0.9);
     EXPECT_EQ(surface_shape(ground(kTravel, none, flat), half_model()).heave_ahead, 0);
 }
