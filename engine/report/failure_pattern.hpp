@@ -10,6 +10,7 @@ namespace sandgraph::report {
 // to a tenth of the plate's travel d; 0 where nothing rose or sank that much.
 struct SurfaceShape {
     double highest = 0, lowest = 0;  // rise of the surface, as a share of d
+    double visible_ahead = 0;        // farthest rise of B/100, what a picture shows
     double heave_ahead = 0;  // farthest rise from the plate's start; horizontal plate: from the centre line
     double sink_behind = 0;  // farthest sink behind a vertical plate's start
 };
