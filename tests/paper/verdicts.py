@@ -5,6 +5,7 @@
     tests/paper/verdicts.py --write    and stores it as results/table.csv
     tests/paper/verdicts.py --check    is results/table.csv what the stored results give?
     tests/paper/verdicts.py --markdown
+    tests/paper/verdicts.py --screening   peak of every case run both ways: full fidelity, and the surrogate everywhere
 
 statements.json holds for each statement what the paper says, an expression over the results, and how near is near
 enough. To recompute a row from nothing: campaign.sh with the cases in its column `cases`, then collect.py.
@@ -166,12 +167,28 @@ def check(rows, folder):
             sys.exit(f"{path}: no revision or scene hash")
 
 
+def screening_table(folder):
+    print(f"{'case':<14}{'N full':>8}{'N screening':>13}{'off':>8}{'d/B full':>10}{'screening':>11}{'cpu full':>10}{'screening':>11}"
+          f"{'audit, share of p':>20}")
+    for path in sorted((folder / "full").glob("*.json")):
+        twin = folder / "screening" / path.name
+        if not twin.exists():
+            continue
+        a, b = (json.loads(f.read_text())["summary"] for f in (path, twin))
+        audit = b.get("audit", {})
+        print(f"{path.stem:<14}{a['n_gamma']:>8.2f}{b['n_gamma']:>13.2f}{100 * (b['n_gamma'] / a['n_gamma'] - 1):>+7.1f}%"
+              f"{a['peak_d_over_B']:>10.3f}{b['peak_d_over_B']:>11.3f}{a['cpu_s']:>9.0f}s{b['cpu_s']:>10.0f}s"
+              f"{audit.get('stress_error_mean', float('nan')):>12.3f} +- {audit.get('ci95', float('nan')):.3f}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--results", type=pathlib.Path, default=HERE / "results")
-    for flag in ("--write", "--check", "--markdown"):
+    for flag in ("--write", "--check", "--markdown", "--screening"):
         parser.add_argument(flag, action="store_true")
     options = parser.parse_args()
+    if options.screening:
+        return screening_table(options.results)
     rows = rows_of(options.results)
     if options.write:
         with (options.results / "table.csv").open("w", newline="") as out:
