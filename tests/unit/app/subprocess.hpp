@@ -40,6 +40,7 @@ class Shell {
         std::ifstream in(folder_ / name, std::ios::binary);
         return (std::ostringstream() << in.rdbuf()).str();
     }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
     bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
     // Files in the folder, hidden ones apart.
     int files() const {
