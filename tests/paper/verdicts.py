@@ -19,6 +19,7 @@ import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).parent
+STILL_RISING = 2  # summary.json, breakout_criterion
 COLUMNS = ["id", "figure", "statement", "paper", "measured", "verdict", "source", "cases", "explanation"]
 
 
@@ -30,33 +31,43 @@ class Results:
     """What expressions may ask. A case not run in full is answered by its screening run; `used` notes it."""
 
     def __init__(self, folder):
-        self.folder, self.cache, self.used = folder, {}, {}
+        self.folder, self.cache, self.used, self.rising = folder, {}, {}, []
+
+    def broken_out(self, name):
+        """The case; one that stopped before its load did not rise any more gives a lower bound and is noted."""
+        result = self.case(name)
+        if result["summary"]["breakout_criterion"] == STILL_RISING and result["reached"] < 0.39:
+            self.rising.append(f"{name} to d/B {result['reached']:.2g}")
+        return result
+
+    def find(self, kind, name):
+        path = self.folder / kind / f"{name}.json"
+        if path not in self.cache:
+            self.cache[path] = json.loads(path.read_text()) if path.exists() else None
+        return self.cache[path]
 
     def case(self, name, until=0.0):
         for kind in ("full", "screening"):
-            path = self.folder / kind / f"{name}.json"
-            if path.exists():
-                if path not in self.cache:
-                    self.cache[path] = json.loads(path.read_text())
-                if self.cache[path]["reached"] >= until - 2e-3:
-                    self.used[name] = kind
-                    return self.cache[path]
+            result = self.find(kind, name)
+            if result and result["reached"] >= until - 2e-3:
+                self.used[name] = kind
+                return result
         raise NotRun(name)
 
     def s(self, case, key):
         return self.case(case)["summary"][key]
 
     def N(self, case):
-        return self.s(case, "n_gamma")
+        return self.broken_out(case)["summary"]["n_gamma"]
 
     def formula(self, case):
-        return self.s(case, "n_gamma_meyerhof_adams" if case.startswith("h") else "n_gamma_biarez")
+        return self.broken_out(case)["summary"]["n_gamma_meyerhof_adams" if case.startswith("h") else "n_gamma_biarez"]
 
     def over_formula(self, case):
         return self.N(case) / self.formula(case)
 
     def d_peak(self, case):
-        return self.s(case, "peak_d_over_B")
+        return self.broken_out(case)["summary"]["peak_d_over_B"]
 
     def n_at(self, case, d):
         """Load at d/B in units of B gamma H."""
@@ -123,7 +134,9 @@ def judged(statement, value):
 
 
 def row_of(statement, results):
-    results.used = {}
+    results.used, results.rising = {}, []
+    if "seen" in statement:  # read off a picture of the report
+        return {**{c: statement.get(c, "") for c in COLUMNS}, "measured": statement["seen"], "source": "picture"}
     names = {n: getattr(results, n) for n in dir(results) if not n.startswith("_") and callable(getattr(results, n))}
     try:
         value = eval(statement["value"], {"__builtins__": {"abs": abs, "min": min, "max": max, "all": all, "any": any}},
@@ -133,6 +146,10 @@ def row_of(statement, results):
             measured += f" ({eval('f' + repr(statement['detail']), {'__builtins__': {}}, names)})"
     except NotRun as missing:
         measured, verdict = f"{missing} not run", "open"
+    if results.rising:
+        measured += f", so far: {results.rising[0]}"
+        if verdict.startswith("differs by -") or verdict == "differs" or statement.get("settled"):
+            verdict = "open"
     kinds = sorted(set(results.used.values()))
     return {"id": statement["id"], "figure": statement["figure"], "statement": statement["statement"],
             "paper": str(statement.get("paper", statement.get("number", ""))), "measured": measured, "verdict": verdict,
