@@ -37,7 +37,7 @@ at = [0.2, 0.3]
 )";
 
 std::vector<std::string> settings(Effort effort, RunMode mode) {
-    std::vector<std::string> out = {effort == Effort::quick ? "anchor.pull_to=0.03" : "anchor.pull_to=0.12"};
+    std::vector<std::string> out = {effort == Effort::quick ? "anchor.pull_to=0.03" : "anchor.pull_to=0.06"};
     if (mode == RunMode::screening)
         out.insert(out.end(), {"mode=screening", "audit.share=0.25", "audit.every=0.005"});
     if (mode == RunMode::full) out.insert(out.end(), {"output.history=true", "output.history_points=12"});
