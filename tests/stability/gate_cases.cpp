@@ -14,7 +14,7 @@ namespace {
 constexpr double kDistance = 0.04;  // of the pull [B]
 
 double rate(Effort effort) { return effort == Effort::quick ? 0.4 : 0.1; }
-GroundSpec ground_spec(Effort effort) { return plate_in_ground(effort, 0.75, 0.75); }
+GroundSpec ground_spec(Effort effort) { return plate_in_ground(effort, 1); }
 
 // A gate that nothing passes but a large spread.
 void only_spread(graph::ScreeningSetup& setup) {
@@ -49,8 +49,7 @@ void check_switches(Ground& ground, const Ride& r, const Ride& full, Findings& f
 }
 
 void checkerboard(Effort effort, Findings& found) {
-    found.driven =
-        "plate 0.75 m deep; every other point, like a checkerboard, is handed to its grains at once";
+    found.driven = "plate 1 m deep; every other point, like a checkerboard, is handed to its grains at once";
     GroundSpec spec = ground_spec(effort);
     const auto columns = static_cast<std::int32_t>(std::lround(spec.soil.x1 / spec.cell));
     spec.screening = [&](graph::ScreeningSetup& setup) {
@@ -68,7 +67,7 @@ void checkerboard(Effort effort, Findings& found) {
 }
 
 void all_at_once(Effort effort, Findings& found) {
-    found.driven = "plate 0.75 m deep; thresholds that every point passes in its first steps";
+    found.driven = "plate 1 m deep; thresholds that every point passes in its first steps";
     GroundSpec spec = ground_spec(effort);
     spec.screening = [](graph::ScreeningSetup& setup) {
         setup.gate.strain = 1e-9, setup.hand_over.dilate = 1000, setup.hand_over.replay_steps = 100'000;
@@ -86,8 +85,7 @@ void all_at_once(Effort effort, Findings& found) {
 
 // Near the largest load every point that is asked goes to its grains.
 void in_mid_peak(Effort effort, Findings& found) {
-    found.driven =
-        "plate 0.75 m deep; surrogate alone to 0.012 B, then every point that strains is handed over";
+    found.driven = "plate 1 m deep; surrogate alone to 0.012 B, then every point that strains is handed over";
     bool distrust = false;
     GroundSpec spec = ground_spec(effort);
     spec.screening = [&](graph::ScreeningSetup& setup) {

@@ -35,7 +35,7 @@ struct Told {
 
 // The plate pulled by 0.02 B with every fourth point audited, to the end or to a stop with a message.
 Told told(Effort effort, Lie lie, bool gate) {
-    GroundSpec spec = plate_in_ground(effort, 0.75, 0.75);
+    GroundSpec spec = plate_in_ground(effort, 1);
     spec.screening = [&](graph::ScreeningSetup& setup) {
         setup.surrogate = std::make_shared<TamperedSurrogate>(setup.surrogate, lie);
         setup.audit = {0.25, 1, 0.005};

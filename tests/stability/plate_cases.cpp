@@ -39,7 +39,7 @@ void out_of_the_ground(Effort effort, Findings& found, bool screening) {
     const double rate = effort == Effort::quick ? 0.5 : 0.2, depth = 0.5, lift = 0.9;
     found.driven =
         fmt::format("plate 0.5 m deep, pulled up by 0.9 B at {} m/s{}", rate, screening ? ", screening" : "");
-    GroundSpec spec = plate_in_ground(effort, depth, 0.75);
+    GroundSpec spec = plate_in_ground(effort, depth);
     spec.room = 1.5;
     if (screening) screen(spec);
     Ground ground(spec);

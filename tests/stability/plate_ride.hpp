@@ -6,7 +6,8 @@
 
 namespace sandgraph::stability {
 
-// Half model of a plate of width 1 m in 2 m of ground, its top face `depth` below the surface.
+// Half model of a plate of width 1 m in 2 m of ground, its top face `depth` below the surface. Depths that
+// are multiples of both meshes (0.125 and 0.1 m): a point whose domain overlaps the plate would be shot away.
 GroundSpec plate_in_ground(Effort effort, double depth, double below = 1);
 
 // What happened to ground and plate on a ride.
