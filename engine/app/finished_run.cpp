@@ -15,7 +15,13 @@ FinishedRun read_finished_run(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder / "run.h5"))
         throw InputError({folder.string()}, "no run", "a run folder holds run.h5",
                          "give the folder that `sandgraph run -o DIR` wrote");
-    FinishedRun run{folder, {}, io::read_run(folder / "run.h5"), io::read_summary(folder / "summary.json")};
+    if (!std::filesystem::exists(folder / "summary.json"))
+        throw InputError({folder.string()}, "the run has not ended", "there is no summary.json",
+                         "finish it with `sandgraph run ... --resume`");
+    FinishedRun run;  // member by member: GCC 12 frees an aggregate twice when one of its initialisers throws
+    run.folder = folder;
+    run.record = io::read_run(folder / "run.h5");
+    run.summary = io::read_summary(folder / "summary.json");
     run.scene = scene::parse_scene(run.record.info.scene_text, folder.filename().string());
     return run;
 }

@@ -69,6 +69,13 @@ TEST_F(SpeedAndError, CompareRefusesWhatIsNoFinishedRun) {
     const auto outcome = shell_.run("compare nothing nowhere");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("no run"), std::string::npos);
+    ASSERT_EQ(shell_.run("run scene.toml -o part --until 0.002").exit_code, 0);
+    std::filesystem::remove(shell_.path("part/summary.json"));  // as after a kill
+    const auto unfinished = shell_.run("compare part part");
+    EXPECT_EQ(unfinished.exit_code, 2);
+    EXPECT_NE(unfinished.err.find("not ended"), std::string::npos) << unfinished.err;
+    shell_.write("part/summary.json", "{");
+    EXPECT_EQ(shell_.run("compare part part").exit_code, 2);
     EXPECT_EQ(shell_.run("pareto nothing.toml -o study").exit_code, 2);
     EXPECT_FALSE(shell_.exists("study"));
 }
