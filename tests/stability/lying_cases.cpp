@@ -29,7 +29,7 @@ void random_lie(std::int32_t point, stress::SurrogateAnswer& a) {
 }
 
 struct Told {
-    double audit = 0, failed_share = 0, kinetic = 0;
+    double audit = 0, failed_share = 0, by_grains = 0, kinetic = 0;
     bool stopped = false;
 };
 
@@ -52,7 +52,9 @@ Told told(Effort effort, Lie lie, bool gate) {
     law.audit_now(0.02);
     for (const graph::AuditRow& a : law.audits())
         if (a.points > 1) out.audit = std::max(out.audit, a.mean);
-    out.failed_share = static_cast<double>(law.screening().failed_answers) / static_cast<double>(law.size());
+    const auto size = static_cast<double>(law.size());
+    out.failed_share = static_cast<double>(law.screening().failed_answers) / size;
+    out.by_grains = static_cast<double>(law.grain_points()) / size;
     return out;
 }
 
@@ -64,8 +66,11 @@ void lying(Effort effort, Findings& found, Lie lie, const char* how, double leas
     found.note("finished (1) or stopped with a message (0)", lies.stopped ? 0 : 1);
     found.note("largest audited error of the honest surrogate, share of p", truth.audit);
     found.note("largest audited error of this one, share of p", lies.audit);
-    found.at_least("audited error beyond the honest one's, or share of the points whose answers were refused",
-                   std::max(lies.audit - truth.audit, lies.failed_share), least);
+    found.note("share of the points by grains, beyond that of the honest one",
+               lies.by_grains - truth.by_grains);
+    found.at_least(
+        "the largest of: audited error beyond the honest one's, share of answers refused, more grains",
+        std::max({lies.audit - truth.audit, lies.failed_share, lies.by_grains - truth.by_grains}), least);
     found.note("share of the points whose answers were refused", lies.failed_share);
     found.note("kinetic energy over the plate's work", lies.kinetic);
 }
