@@ -19,6 +19,7 @@ import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).parent
+ALLOWED = {"__builtins__": {"abs": abs, "min": min, "max": max}}  # in expressions
 STILL_RISING = 2  # summary.json, breakout_criterion
 COLUMNS = ["id", "figure", "statement", "paper", "measured", "verdict", "source", "cases", "explanation"]
 
@@ -139,11 +140,10 @@ def row_of(statement, results):
         return {**{c: statement.get(c, "") for c in COLUMNS}, "measured": statement["seen"], "source": "picture"}
     names = {n: getattr(results, n) for n in dir(results) if not n.startswith("_") and callable(getattr(results, n))}
     try:
-        value = eval(statement["value"], {"__builtins__": {"abs": abs, "min": min, "max": max, "all": all, "any": any}},
-                     names)
+        value = eval(statement["value"], ALLOWED, names)
         measured, verdict = judged(statement, value)
         if "detail" in statement:
-            measured += f" ({eval('f' + repr(statement['detail']), {'__builtins__': {}}, names)})"
+            measured += f" ({eval('f' + repr(statement['detail']), ALLOWED, names)})"
     except NotRun as missing:
         measured, verdict = f"{missing} not run", "open"
     if results.rising:
