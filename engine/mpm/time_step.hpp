@@ -14,11 +14,11 @@ struct StepLimits {
 };
 
 // dt = courant cell / c with c = sqrt(M / (s rho)) [s]. The plate's penalty on the lightest node beside it
-// adds 4 kappa to (omega cell / c)^2 of the grid, 4: dt omega <= 1 of the 1.4 that are stable
-// (tests/stability, step.limit).
+// adds 4 kappa to (omega cell / c)^2 of the grid, 4. The bound keeps dt omega at 0.9: undamped ground stays
+// bounded over 10,000 steps at 0.95 and gains energy at 1 (tests/stability, step.limit).
 inline double time_step(const StepLimits& l) {
     const double crossing = l.cell * std::sqrt(l.density * l.mass_scaling / l.p_wave_modulus);
-    return crossing * std::min(l.courant, 0.5 / std::sqrt(1 + l.contact_stiffness));
+    return crossing * std::min(l.courant, 0.45 / std::sqrt(1 + l.contact_stiffness));
 }
 
 }  // namespace sandgraph::mpm

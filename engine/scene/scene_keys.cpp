@@ -66,7 +66,7 @@ void add_continuum_keys(KeyTable& keys, Continuum& c) {
 void add_mpm_keys(KeyTable& keys, Mpm& m) {
     auto mpm = keys.section("mpm");
     mpm.real("courant", m.courant, "", above_up_to(0, 1),
-             "time step times c/cell, c: P-wave speed; at most 0.5/sqrt(1 + contact_stiffness) is taken");
+             "time step times c/cell, c: P-wave speed; at most 0.45/sqrt(1 + contact_stiffness) is taken");
     mpm.real("damping", m.damping, "", within(0, 0.9), "local grid damping");
     mpm.real("pic_fraction", m.pic_fraction, "", within(0, 1),
              "PIC share of the velocity update, the rest FLIP");
