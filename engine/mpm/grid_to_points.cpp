@@ -1,5 +1,6 @@
 #include "mpm/grid_to_points.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include "mpm/parallel_bands.hpp"
@@ -8,10 +9,13 @@
 namespace sandgraph::mpm {
 namespace {
 
-// Whether a point of the band is in another band now, or outside the grid.
-bool moved_on(std::span<const std::int32_t> ids, const Points& points, const GridShape& shape) {
-    const int here = band_of(base_row(shape, points.half, points.y[static_cast<std::size_t>(ids[0])]));
-    const double low = here * band_rows - 1, high = low + band_rows;
+int band_of_first(std::span<const std::int32_t> ids, const Points& points, const GridShape& shape) {
+    return band_of(base_row(shape, points.half, points.y[static_cast<std::size_t>(ids[0])]));
+}
+
+// Whether a point that was in band `before` is in another band now, or outside the grid.
+bool moved_on(int before, std::span<const std::int32_t> ids, const Points& points, const GridShape& shape) {
+    const double low = before * band_rows - 1, high = low + band_rows;
     bool moved = false;
     for (const auto id : ids) {
         const auto p = static_cast<std::size_t>(id);
@@ -19,6 +23,13 @@ bool moved_on(std::span<const std::int32_t> ids, const Points& points, const Gri
         moved |= !(row >= low) | !(row < high) | !shape.contains(points.x[p], points.y[p]);
     }
     return moved;
+}
+
+bool any_outside(std::span<const std::int32_t> ids, const Points& points, const GridShape& shape) {
+    return std::ranges::any_of(ids, [&](std::int32_t id) {
+        const auto p = static_cast<std::size_t>(id);
+        return !shape.contains(points.x[p], points.y[p]);
+    });
 }
 
 Status count_outside(const Points& points, const GridShape& shape) {
@@ -36,11 +47,12 @@ Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Po
     std::atomic<bool> moved = false;
     const Motion* const motion = grid.fields[0].motion.data();
     for_bands(order, 0, 1, [&](std::span<const std::int32_t> ids) {
+        const int before = band_of_first(ids, points, grid.shape);  // a whole band may move on together
         gather(ids, grid.shape, motion, advance, points);
-        if (moved_on(ids, points, grid.shape)) moved.store(true, std::memory_order_relaxed);
+        if (moved_on(before, ids, points, grid.shape)) moved.store(true, std::memory_order_relaxed);
     });
     gather_divided(order.near, grid, advance, points);
-    if (!order.near.empty() && moved_on(order.near, points, grid.shape)) moved = true;
+    if (any_outside(order.near, points, grid.shape)) moved = true;
     order.stale = moved;
     return moved ? count_outside(points, grid.shape) : Status{};
 }

@@ -47,5 +47,25 @@ TEST(Order, KeptUpToDateOverAMovingRunIsTheOneBuiltAfresh) {
     }
 }
 
+// One row of points just above a band's edge that sinks below it in one step: no point is left to differ
+// from.
+TEST(Order, NoticesABandWhosePointsAllLeaveTogether) {
+    Grid grid(support::grid_around(10, 40));
+    const GridShape& shape = grid.shape;
+    Points points = support::random_ground(10, 40, 1, 3);
+    const double edge = shape.y0 + (band_rows - 1) * shape.cell + points.half;  // base row 7 begins band 1
+    resize(points, 5);
+    for (std::size_t p = 0; p < 5; ++p)
+        points.x[p] = shape.x0 + (3 + static_cast<double>(p)) * shape.cell, points.y[p] = edge + 1e-9;
+    Order order;
+    refresh(order, points, grid);
+    for (Motion& m : grid.fields[0].motion) m = {0, -0.5, 0, 0};
+    ASSERT_TRUE(grid_to_points(grid, {1e-6, 0}, order, points).good());
+    refresh(order, points, grid);
+    Order fresh;
+    refresh(fresh, points, grid);
+    EXPECT_EQ(order.first, fresh.first);
+}
+
 }  // namespace
 }  // namespace sandgraph::mpm
