@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/commands.hpp"
 #include "scene/element_test_keys.hpp"
@@ -20,9 +21,9 @@ std::string test_help(scene::TestKind kind) {
 }
 
 std::string help_of(const std::string& what) {
-    if (what == "path") return test_help(scene::TestKind::path);
-    if (what == "biaxial") return test_help(scene::TestKind::biaxial);
-    if (what == "isotropic") return test_help(scene::TestKind::isotropic);
+    const std::vector<std::string> tests = scene::test_kind_names();
+    if (const auto test = std::ranges::find(tests, what); test != tests.end())
+        return test_help(static_cast<scene::TestKind>(test - tests.begin()));
     scene::ProbeSpec probe;
     if (what == "probe") return scene::key_help(scene::probe_keys(probe));
     scene::TrainSpec train;
@@ -39,8 +40,10 @@ void add_keys_command(CLI::App& app, int&) {
     CLI::App* keys =
         app.add_subcommand("keys", "lists every key of an input file with default, unit and range");
     auto what = std::make_shared<std::string>("scene");
-    keys->add_option("file", *what, "scene, recipe, probe, train, path, biaxial or isotropic")
-        ->check(CLI::IsMember({"scene", "recipe", "probe", "train", "path", "biaxial", "isotropic"}));
+    std::vector<std::string> files = scene::test_kind_names();
+    files.insert(files.begin(), {"scene", "recipe", "probe", "train"});
+    keys->add_option("file", *what, "scene, recipe, probe, train, or the kind of an element test")
+        ->check(CLI::IsMember(files));
     keys->callback([what] { fmt::print("{}", help_of(*what)); });
 }
 

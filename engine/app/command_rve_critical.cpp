@@ -15,7 +15,10 @@ namespace {
 struct Options {
     std::string folder = "out/critical";
     CriticalPlan plan;
-    std::vector<double> kilopascals = {2, 10, 20, 80, 320};
+    std::vector<double> kilopascals;  // of plan.pressures
+    Options() {
+        for (const double p : plan.pressures) kilopascals.push_back(p / 1e3);
+    }
 };
 
 std::vector<CriticalTest> test_with_progress(const CriticalPlan& plan) {

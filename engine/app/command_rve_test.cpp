@@ -41,7 +41,8 @@ void run(const Options& options) {
 void add_rve_test(CLI::App& rve) {
     CLI::App* test = rve.add_subcommand("test", "an element test on one packing");
     auto options = std::make_shared<Options>();
-    test->add_option("test", options->test, "TOML file: kind = \"path\", \"biaxial\" or \"isotropic\"")
+    test->add_option("test", options->test,
+                     "TOML file: kind = \"path\", \"biaxial\", \"isotropic\" or \"simple_shear\"")
         ->required();
     test->add_option("--packing", options->packing, "packing to test, .csv or .h5")->required();
     test->add_option("-o,--out", options->out, "CSV file to write (default: the terminal)");

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+
+#include "dem/element_test.hpp"
 
 namespace sandgraph::app {
 
@@ -29,9 +30,7 @@ dem::RveOptions rve_options(const scene::RveStepping& stepping, const dem::Mater
     options.pressure_floor = stepping.pressure_floor;
     options.steps_min = stepping.steps_min;
     options.stress_per_step_max = stepping.stress_per_step_max;
-    const double radius =
-        std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
-    options.modulus = 0.5 * material.young * radius / material.depth;
+    options.modulus = dem::typical_modulus(radii, material);
     return options;
 }
 

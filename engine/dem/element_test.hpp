@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "dem/assembly.hpp"
@@ -89,6 +90,7 @@ struct ShearRow : ElementRow {
 std::vector<ShearRow> run_shear(Assembly& sample, const ShearTest& test);
 
 // k_n/(2 h) of two mean grains [Pa]: the order of a packing's P-wave modulus; scales the servos.
+double typical_modulus(std::span<const double> radii, const Material& material);
 double typical_modulus(const Packing& packing, const Material& material);
 
 }  // namespace sandgraph::dem

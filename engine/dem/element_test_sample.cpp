@@ -30,11 +30,15 @@ ElementRow SampleOnStand::row() {
                      "compress it less, or take a shorter time step");
 }
 
-double typical_modulus(const Packing& packing, const Material& material) {
+double typical_modulus(std::span<const double> radii, const Material& material) {
     double sum = 0;
-    for (double r : packing.r) sum += r;
-    const double r_mean = sum / static_cast<double>(packing.size());
+    for (double r : radii) sum += r;
+    const double r_mean = sum / static_cast<double>(radii.size());
     return 0.5 * material.young * r_mean / material.depth;
+}
+
+double typical_modulus(const Packing& packing, const Material& material) {
+    return typical_modulus(packing.r, material);
 }
 
 }  // namespace sandgraph::dem

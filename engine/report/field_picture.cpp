@@ -48,7 +48,8 @@ std::string colours(const PointValues& shown, const ColourRange& range) {
                          : range.clipped_low                     ? " (bottom: below)"
                                                                  : "";
     return palette(shown.is_signed) +
-           fmt::format("set cbrange [{}:{}]\nset cblabel {} offset 0.5,0\nset rmargin at screen 0.83\n", range.low, range.high,
+           fmt::format("set cbrange [{}:{}]\nset cblabel {} offset 0.5,0\nset rmargin at screen 0.83\n",
+                       range.low, range.high,
                        literal(fmt::format("{} [{}]{}", shown.name, shown.unit, beyond)));
 }
 

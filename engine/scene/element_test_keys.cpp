@@ -40,10 +40,12 @@ void add_shear_keys(KeyTable& keys, ElementTestSpec& spec) {
 
 }  // namespace
 
+std::vector<std::string> test_kind_names() { return {"path", "biaxial", "isotropic", "simple_shear"}; }
+
 KeyTable element_test_keys(ElementTestSpec& spec) {
     KeyTable keys;
     auto top = keys.section("");
-    top.choice("kind", spec.kind, {"path", "biaxial", "isotropic", "simple_shear"},
+    top.choice("kind", spec.kind, test_kind_names(),
                "strain path, stress-driven compression, or shear at constant mean stress");
     top.choice("mode", spec.mode, {"reference", "fast"}, "the published step, or the optimised kernel");
     top.real("time_step", spec.time_step, "s", above(0), "of the DEM (reference), of an increment (fast)");

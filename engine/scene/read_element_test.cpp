@@ -11,7 +11,7 @@ namespace {
 TestKind read_kind(const toml::table& table, const std::string& file) {
     TestKind kind = TestKind::path;
     KeyTable keys;
-    keys.section("").choice("kind", kind, {"path", "biaxial", "isotropic", "simple_shear"}, "");
+    keys.section("").choice("kind", kind, test_kind_names(), "");
     const toml::node* node = table.get("kind");
     if (!node)
         throw InputError({file, 0}, "no key kind", "it says which test to run", "write kind = \"path\"");

@@ -101,7 +101,7 @@ TEST(Keys, NameEveryTable) {
     EXPECT_EQ(outcome.exit_code, 0);
     for (const char* table : {"[domain]", "[anchor]", "[ground]", "[grains]", "[rve]", "[mpm]", "[output]"})
         EXPECT_NE(outcome.out.find(table), std::string::npos) << table;
-    for (const char* file : {"recipe", "path", "biaxial", "isotropic"})
+    for (const char* file : {"recipe", "path", "biaxial", "isotropic", "simple_shear"})
         EXPECT_EQ(shell.run(std::string("keys ") + file).exit_code, 0) << file;
 }
 

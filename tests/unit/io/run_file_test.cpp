@@ -73,7 +73,8 @@ TEST(RunFile, KeepsTheRowsOfRegions) {
     run.follow({{"A", 15, {}}, {"B", 1, {}}});
     for (int k = 0; k < 3; ++k) {
         RegionRow a, b;
-        a.d_over_B = b.d_over_B = 0.01 * k, a.p = {1e3 * k, 500.0 * k, 2e3 * k};  // F_a and others unknown: NaN
+        a.d_over_B = b.d_over_B = 0.01 * k,
+        a.p = {1e3 * k, 500.0 * k, 2e3 * k};  // F_a and others unknown: NaN
         run.append(std::vector{a, b});
     }
     run.commit();
