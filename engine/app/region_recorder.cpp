@@ -151,7 +151,7 @@ void RegionRecorder::keep(const graph::Pull& pull, std::size_t region, double ma
                                  pull.d_over_B());
     const auto path = folder / "packings" / fmt::format("{}_{:04.0f}.h5", regions_[region].name, 1e3 * mark);
     writer.post([record, path] {
-        std::filesystem::create_directories(path.parent_path());
+        std::filesystem::create_directory(path.parent_path());  // not the run folder: that may be gone
         io::write_packing(path, *record);
     });
 }
