@@ -12,7 +12,8 @@ namespace sandgraph::app {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr report::ShearBand kNoBand{nan, nan, nan, nan, nan};
+constexpr report::ShearBand kNoBand{nan, nan, nan, nan, nan, nan, nan};
+constexpr report::SlipSurface kNoSlip{nan, nan, nan, nan, nan};
 
 std::vector<double> numbers(const FailureRow& r) {
     std::vector<double> row = {r.d_over_B,
@@ -27,16 +28,18 @@ std::vector<double> numbers(const FailureRow& r) {
                                r.zone.below,
                                r.cavity};
     for (const report::ShearBand& band : {r.total, r.recent})
-        row.insert(row.end(), {band.lower, band.middle, band.upper, band.at_surface, band.edge_at_surface});
+        row.insert(row.end(), {band.lower, band.middle, band.upper, band.at_surface, band.edge_at_surface,
+                               band.faint_edge_at_surface, band.dilation});
+    row.insert(row.end(), {r.slip.K, r.slip.friction, r.slip.greatest, r.slip.before, r.slip.past});
     return row;
 }
 
 constexpr const char* kHeader =
-    "run,d_over_B,highest_rise,lowest_rise,visible_ahead,heave_ahead,sink_behind,zone_ahead,zone_behind,zone_"
-    "above,"
-    "zone_below,cavity,band_lower,band_middle,band_upper,band_at_surface,band_edge,recent_lower,recent_"
-    "middle,"
-    "recent_upper,recent_at_surface,recent_edge\n";
+    "run,d_over_B,highest_rise,lowest_rise,visible_ahead,heave_ahead,sink_behind,zone_ahead,zone_behind,"
+    "zone_above,zone_below,cavity,"
+    "band_lower,band_middle,band_upper,band_at_surface,band_edge,band_faint_edge,band_dilation,"
+    "recent_lower,recent_middle,recent_upper,recent_at_surface,recent_edge,recent_faint_edge,recent_dilation,"
+    "slip_K,slip_friction,slip_greatest,slip_before,slip_past\n";
 
 }  // namespace
 
@@ -46,6 +49,8 @@ std::vector<FailureRow> failure_rows(const FinishedRun& run) {
     if (run.record.frames == 0) return rows;
     const io::Frame start = io::read_run_frame(run.frame_file(), 0);
     io::Frame before = start;
+    std::vector<report::EdgeStress> edges;
+    if (pulled_up(run.scene)) edges.push_back(report::edge_stress(start, start, view));
     for (std::size_t k = 1; k < run.record.frames; ++k) {
         io::Frame frame = io::read_run_frame(run.frame_file(), k);
         FailureRow row{frame.d_over_B,
@@ -53,15 +58,19 @@ std::vector<FailureRow> failure_rows(const FinishedRun& run) {
                        report::strained_zone(frame, view),
                        nan,
                        kNoBand,
-                       kNoBand};
+                       kNoBand,
+                       kNoSlip};
         if (pulled_up(run.scene)) {
             row.cavity = report::cavity_share(frame, view);
             row.total = report::shear_band(start, frame, view);
             row.recent = report::shear_band(before, frame, view);
+            edges.push_back(report::edge_stress(start, frame, view));
         }
         rows.push_back(row);
         before = std::move(frame);
     }
+    const std::vector<report::SlipSurface> slips = report::slip_surfaces(edges);
+    for (std::size_t k = 0; k < slips.size(); ++k) rows[k].slip = slips[k];
     return rows;
 }
 

@@ -4,19 +4,22 @@
 
 #include "app/finished_run.hpp"
 #include "report/failure_pattern.hpp"
+#include "report/slip_surface.hpp"
 
 namespace sandgraph::app {
 
-// One frame of a run, measured by report/failure_pattern.hpp.
+// One frame of a run, measured by report/failure_pattern.hpp and report/slip_surface.hpp.
 struct FailureRow {
     double d_over_B = 0;
     report::SurfaceShape surface;
     report::StrainedZone zone;
     double cavity = 0;
     report::ShearBand total, recent;  // of the whole strain, and of that since the frame before
+    report::SlipSurface slip;
 };
 
-// Every frame but the first. Cavity and bands are those of a horizontal plate, NaN for a vertical one.
+// Every frame but the first. Cavity, bands and slip surface are those of a horizontal plate, NaN for a
+// vertical one.
 std::vector<FailureRow> failure_rows(const FinishedRun& run);
 
 // One line a frame of every run found: run,d_over_B,heave_highest,...

@@ -18,8 +18,9 @@ constexpr double edge_share = 0.1;     // of d: what counts as a rise of the sur
 constexpr double visible_rise = 0.01;  // [B]
 constexpr double strained = 0.1;       // eps_eq
 constexpr double edge_strain = 0.2;    // eps_eq of the outer edge near the surface
-constexpr double band_reach = 0.3;     // [B] about a row's largest strain
-constexpr double band_share = 0.5;     // of a row's largest strain
+constexpr double faint_strain = 0.1;
+constexpr double band_reach = 0.3;  // [B] about a row's largest strain
+constexpr double band_share = 0.5;  // of a row's largest strain
 constexpr std::size_t fewest_rows = 3;
 constexpr int cavity_bins = 10;  // per point across
 
@@ -39,47 +40,67 @@ double angle_of(std::vector<Line>::const_iterator begin, std::vector<Line>::cons
     return std::atan2(yy, xy) * 180 / std::numbers::pi;
 }
 
-std::vector<double> strain_between(const io::Frame& early, const io::Frame& late) {
+std::vector<Mat2> deformation_between(const io::Frame& early, const io::Frame& late) {
     const io::Field &before = field(early, "F", 4), &after = field(late, "F", 4);
-    std::vector<double> strain(late.x.size());
-    for (std::size_t p = 0; p < strain.size(); ++p)
-        strain[p] =
-            equivalent_strain(deformation_gradient(after, p) * deformation_gradient(before, p).inverse());
-    return strain;
+    std::vector<Mat2> F(late.x.size());
+    for (std::size_t p = 0; p < F.size(); ++p)
+        F[p] = deformation_gradient(after, p) * deformation_gradient(before, p).inverse();
+    return F;
 }
 
-// Where the band crosses a row; NaN without strain.
-double band_in_row(const std::vector<std::size_t>& row, const io::Frame& frame,
-                   const std::vector<double>& strain, double reach) {
-    double largest = 0, at = 0, sum = 0, weight = 0;
+using Row = std::vector<std::size_t>;
+
+// The points of a row that belong to the band; none without strain.
+Row band_in_row(const Row& row, const io::Frame& frame, const std::vector<double>& strain, double reach) {
+    double largest = 0, at = 0;
     for (const std::size_t p : row)
         if (strain[p] > largest) largest = strain[p], at = frame.x[p];
+    Row band;
     for (const std::size_t p : row)
-        if (strain[p] >= band_share * largest && std::abs(frame.x[p] - at) <= reach)
-            sum += strain[p] * frame.x[p], weight += strain[p];
-    return weight > 0 ? sum / weight : nan;
+        if (largest > 0 && strain[p] >= band_share * largest && std::abs(frame.x[p] - at) <= reach)
+            band.push_back(p);
+    return band;
 }
 
-std::vector<Line> band_line(const io::Frame& frame, const std::vector<double>& strain,
-                            const GroundView& view) {
+std::vector<Row> band_rows(const io::Frame& frame, const std::vector<double>& strain,
+                           const GroundView& view) {
     const double low = frame.plate_y + view.plate_size_y / 2, size = view.point_size;
     const auto rows = static_cast<std::size_t>(std::max(0.0, std::floor((view.surface - low) / size)));
-    std::vector<std::vector<std::size_t>> points(rows);
+    std::vector<Row> points(rows);
     for (std::size_t p = 0; p < frame.x.size(); ++p) {
         const double row = std::floor((frame.y[p] - low) / size);
         if (row >= 0 && row < static_cast<double>(rows) && frame.x[p] > 0 && std::isfinite(strain[p]))
             points[static_cast<std::size_t>(row)].push_back(p);
     }
+    for (Row& row : points) row = band_in_row(row, frame, strain, band_reach * view.anchor_width);
+    return points;
+}
+
+std::vector<Line> band_line(const std::vector<Row>& rows, const io::Frame& frame,
+                            const std::vector<double>& strain, const GroundView& view) {
+    const double low = frame.plate_y + view.plate_size_y / 2;
     std::vector<Line> line;
-    for (std::size_t k = 0; k < rows; ++k)
-        if (const double x = band_in_row(points[k], frame, strain, band_reach * view.anchor_width);
-            std::isfinite(x))
-            line.push_back({x, low + (static_cast<double>(k) + 0.5) * size});
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        double sum = 0, weight = 0;
+        for (const std::size_t p : rows[k]) sum += strain[p] * frame.x[p], weight += strain[p];
+        if (weight > 0)
+            line.push_back({sum / weight, low + (static_cast<double>(k) + 0.5) * view.point_size});
+    }
     return line;
 }
 
-// Outermost strained point of each row in the uppermost half width.
-std::vector<Line> outer_edge(const io::Frame& frame, const std::vector<double>& strain,
+double dilation_angle(const std::vector<Row>& rows, const std::vector<Mat2>& F) {
+    double expansion = 0, shear = 0;
+    for (const Row& row : rows)
+        for (const std::size_t p : row) {
+            const Mat2 e = logarithmic_strain(F[p]);
+            expansion += e.trace(), shear += 2 * std::hypot((e(0, 0) - e(1, 1)) / 2, e(0, 1));
+        }
+    return shear > 0 ? std::asin(std::clamp(expansion / shear, -1.0, 1.0)) * 180 / std::numbers::pi : nan;
+}
+
+// Outermost point of each row in the uppermost half width that is strained past `least`.
+std::vector<Line> outer_edge(const io::Frame& frame, const std::vector<double>& strain, double least,
                              const GroundView& view) {
     const double size = view.point_size;
     const auto rows = static_cast<std::size_t>(std::lround(0.5 * view.anchor_width / size));
@@ -88,7 +109,7 @@ std::vector<Line> outer_edge(const io::Frame& frame, const std::vector<double>& 
         const double top = view.surface - static_cast<double>(k) * size;
         double outermost = nan;
         for (std::size_t p = 0; p < frame.x.size(); ++p)
-            if (frame.y[p] <= top && frame.y[p] > top - size && strain[p] >= edge_strain && frame.x[p] > 0)
+            if (frame.y[p] <= top && frame.y[p] > top - size && strain[p] >= least && frame.x[p] > 0)
                 outermost = std::isnan(outermost) ? frame.x[p] : std::max(outermost, frame.x[p]);
         if (std::isfinite(outermost)) line.push_back({outermost, top - 0.5 * size});
     }
@@ -148,14 +169,21 @@ double cavity_share(const io::Frame& frame, const GroundView& view) {
 }
 
 ShearBand shear_band(const io::Frame& early, const io::Frame& late, const GroundView& view) {
-    const std::vector<double> strain = strain_between(early, late);
-    const std::vector<Line> line = band_line(late, strain, view), edge = outer_edge(late, strain, view);
+    const std::vector<Mat2> F = deformation_between(early, late);
+    std::vector<double> strain(F.size());
+    std::ranges::transform(F, strain.begin(), equivalent_strain);
+    const std::vector<Row> rows = band_rows(late, strain, view);
+    const std::vector<Line> line = band_line(rows, late, strain, view);
     const auto at = [&](std::size_t third) {
         return line.begin() + static_cast<std::ptrdiff_t>(third * line.size() / 3);
     };
+    const auto edge = [&](double least) {
+        const std::vector<Line> outer = outer_edge(late, strain, least, view);
+        return angle_of(outer.begin(), outer.end());
+    };
     const double surface = line.empty() ? nan : line.back().x / view.anchor_width;
     return {angle_of(at(0), at(1)), angle_of(at(1), at(2)), angle_of(at(2), line.end()), surface,
-            angle_of(edge.begin(), edge.end())};
+            edge(edge_strain),      edge(faint_strain),     dilation_angle(rows, F)};
 }
 
 }  // namespace sandgraph::report

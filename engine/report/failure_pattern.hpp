@@ -35,8 +35,11 @@ struct ShearBand {
     double lower = 0, middle = 0, upper = 0;
     double at_surface = 0;  // x/B where it meets the surface
     // Outer edge of the points strained past 0.2 in the uppermost half width, where a band may bend outwards
+    // [deg]; the same of the points strained past 0.1.
+    double edge_at_surface = 0, faint_edge_at_surface = 0;
+    // Dilation angle of the band's points, sin psi = sum d_eps_v / sum d_gamma, gamma = |ln l1 - ln l2|
     // [deg].
-    double edge_at_surface = 0;
+    double dilation = 0;
 };
 // Of the strain between two frames: F_late F_early^-1.
 ShearBand shear_band(const io::Frame& early, const io::Frame& late, const GroundView& view);

@@ -67,6 +67,17 @@ TEST(ShearBandRule, OfLateStrainDoesNotSeeEarlierStrain) {
     EXPECT_NEAR(late.upper, 60, 4);
 }
 
+TEST(ShearBandRule, FindsTheDilationAngleOfTheBand) {
+    constexpr double psi = 14 * std::numbers::pi / 180;
+    io::Frame late = ground(kTravel, none, flat);
+    for (std::size_t p = 0; p < late.x.size(); ++p)
+        if (std::abs(late.x[p] - 0.6) < 0.1) {  // a vertical band that shears and opens
+            double* F = &late.fields[1].values[4 * p];
+            F[2] = 1e-3, F[0] = 1 + 1e-3 * std::tan(psi);
+        }
+    EXPECT_NEAR(shear_band(ground(0, none, flat), late, half_model()).dilation, 14, 0.05);
+}
+
 TEST(HeaveRule, EndsWhereTheRiseIsATenthOfTheTravel) {
     const auto cone = [](double x) { return kTravel * std::max(0.0, 1 - x / 2); };  // a tenth at x = 1.8
     const SurfaceShape shape = surface_shape(ground(kTravel, none, cone), half_model());
