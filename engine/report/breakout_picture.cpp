@@ -51,10 +51,11 @@ std::string formula_name(const BreakoutSeries& s) {
 Plot breakout_plot(const std::vector<BreakoutSeries>& series) {
     const double deep = 1.1 * deepest(series);
     Plot plot;
+    plot.width = 1500;
     plot.script = fmt::format(
         "set xlabel 'embedment H/B'\nset ylabel 'breakout factor N_γ = Q_u/(BγH)'\nset xrange [0:{}]\nset "
         "yrange [0:*]\n"
-        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset key top left noenhanced\n",
+        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset key outside right top noenhanced\n",
         deep);
     std::string items;
     const auto add = [&](const std::string& item) {

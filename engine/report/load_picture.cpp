@@ -21,6 +21,13 @@ std::string rows(const LoadCurve& curve) {
     return text;
 }
 
+double last_displacement(const std::vector<LoadCurve>& curves) {
+    double last = 0;
+    for (const LoadCurve& c : curves)
+        if (!c.d_over_B.empty()) last = std::max(last, c.d_over_B.back());
+    return last;
+}
+
 double largest_load(const std::vector<LoadCurve>& curves) {
     double largest = 0;
     for (const LoadCurve& c : curves)
@@ -44,12 +51,13 @@ bool share_unit_load(const std::vector<LoadCurve>& curves) {
 }
 
 std::string axes(const LoadPicture& picture) {
+    const double last = last_displacement(picture.curves);
     std::string text = fmt::format(
         "set title {} noenhanced\nset xlabel 'displacement d/B'\nset ylabel 'breakout factor N_γ = Q/(BγH)'\n"
-        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset key bottom right noenhanced\nset xrange [0:*]\nset "
+        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset key bottom right noenhanced\nset xrange [0:{}]\nset "
         "yrange [0:*]\n"
         "set offsets graph 0, 0, graph 0.08, 0\n",
-        literal(picture.title));
+        literal(picture.title), last > 0 ? fmt::format("{}", last) : "*");
     if (share_unit_load(picture.curves)) text += load_axis(picture.curves);
     return text;
 }
@@ -64,18 +72,20 @@ std::string reference_labels(const std::vector<ReferenceLine>& references) {
 }
 
 // Of many curves the dots alone, or their words would cover each other.
-std::string breakout_label(const LoadCurve& curve, std::size_t k, bool many) {
+std::string breakout_label(const LoadCurve& curve, std::size_t k, bool many, double last) {
     if (curve.breakout.d_over_B <= 0) return {};
     const double n = curve.breakout.load / curve.unit_load;
     if (many)
         return fmt::format("set label '' at {},{} point pt 7 ps 1.3 lc rgb '{}' front\n",
                            curve.breakout.d_over_B, n, series_colour(k));
     const char* word = curve.breakout.kind == BreakoutKind::still_rising ? "still rising, " : "";
+    // Before the curve's end below the dot, where no reference line is.
+    const char* side = curve.breakout.d_over_B > 0.5 * last ? "right offset -1,-3" : "left offset 1,0.8";
     return fmt::format(
-        "set label {} at {},{} point pt 7 ps 1.6 lc rgb '{}' left offset 1,{} noenhanced textcolor '{}' "
+        "set label {} at {},{} point pt 7 ps 1.6 lc rgb '{}' {} noenhanced textcolor '{}' "
         "front\n",
         literal(fmt::format("{}{:.2f} at d/B = {:.3f}", word, n, curve.breakout.d_over_B)),
-        curve.breakout.d_over_B, n, series_colour(k), 0.8, series_colour(k));
+        curve.breakout.d_over_B, n, series_colour(k), side, series_colour(k));
 }
 
 std::string curve_item(const LoadCurve& curve, std::size_t k) {
@@ -99,7 +109,7 @@ Plot load_plot(const LoadPicture& picture) {
         items += (items.empty() ? "plot " : ", \\\n     ") + item;
     };
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
-        plot.script += breakout_label(picture.curves[k], k, many);
+        plot.script += breakout_label(picture.curves[k], k, many, last_displacement(picture.curves));
         plot.data.emplace_back(file_name(k), rows(picture.curves[k]));
         add(curve_item(picture.curves[k], k));
     }

@@ -112,14 +112,15 @@ std::string rose_script(const Fabric& fabric, double largest) {
         "reset\nset origin 0.58,0.04\nset size 0.42,0.88\nset size ratio 1\nset xrange [-{0}:{0}]\nset "
         "yrange "
         "[-{0}:{0}]\nunset border\nunset tics\nset key below\nset title 'contact directions: F_a = {1:.2f}, "
-        "mostly at {2:.0f} deg' noenhanced\nset parametric\nset trange [0:2*pi]\nplot 'rose.txt' with "
+        "mostly {2:.0f} deg from x' noenhanced\nset parametric\nset trange [0:2*pi]\nplot 'rose.txt' with "
         "filledcurves closed fs solid 0.55 border rgb '#0072B2' fc rgb '#56B4E9' notitle, cos(t), sin(t) "
         "with "
         "lines dt 3 lw 1.5 lc rgb '#555555' title 'alike everywhere', "
         "(1+{3}*cos(2*(t-{4})))*cos(t), (1+{3}*cos(2*(t-{4})))*sin(t) with lines lw 2.5 lc rgb '#D55E00' "
         "title "
         "'fabric tensor'\n",
-        reach, fabric.anisotropy, fabric.direction * 180 / pi, fabric.anisotropy, fabric.direction);
+        reach, fabric.anisotropy, std::round(fabric.direction * 180 / pi) + 0.0, fabric.anisotropy,
+        fabric.direction);
 }
 
 struct Extent {
@@ -139,13 +140,14 @@ std::string network_script(const PackingPicture& picture, const Contacts& contac
         "[{}:{}]\nset "
         "xlabel 'x [mm]'\nset ylabel 'y [mm]'\nset tics out nomirror\nset title '{} contacts, mean normal "
         "force "
-        "{:.3g} N' noenhanced\nset key below\nplot 'grains.txt' with circles fs solid 1.0 border rgb "
+        "{:.3g} N (widest bars: {:.1f} times that, or more)' noenhanced\nset bmargin 6\nset key below\nplot "
+        "'grains.txt' with circles fs solid 1.0 border rgb "
         "'#c9c2b4' fc "
         "rgb '#efe9dc' notitle, 'bars.txt' with filledcurves closed fs solid noborder fc rgb '#7a1f1f' "
         "notitle, "
         "'cell.txt' with lines lw 2 lc rgb 'black' title 'periodic cell'{}\n",
         middle.x() - 1.1 * extent.x, middle.x() + 1.1 * extent.x, middle.y() - 1.1 * extent.y,
-        middle.y() + 1.1 * extent.y, contacts.size(), mean_force(contacts),
+        middle.y() + 1.1 * extent.y, contacts.size(), mean_force(contacts), widest_bar / bar_of_mean,
         picture.first_cell ? ", 'first.txt' with lines dt 3 lw 2 lc rgb '#D55E00' title 'before the pull'"
                            : "");
 }

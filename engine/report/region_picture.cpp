@@ -13,6 +13,7 @@ namespace {
 
 constexpr double degree = 180 / std::numbers::pi;
 constexpr double K_shown = 5;  // beyond it a coefficient tells of vanishing vertical stress only
+// F_a past 1 is that of a packing whose few contacts carry nothing.
 
 struct Panel {
     const char* label;
@@ -22,7 +23,7 @@ struct Panel {
 };
 constexpr Panel panels[] = {{"equivalent strain ε_{eq}", &io::RegionRow::strain, 1, "[0:*]"},
                             {"porosity n", &io::RegionRow::porosity, 1, "[*:*]"},
-                            {"fabric anisotropy F_a", &io::RegionRow::anisotropy, 1, "[0:*]"},
+                            {"fabric anisotropy F_a", &io::RegionRow::anisotropy, 1, "[0:*<1]"},
                             {"deviator q [kPa]", &io::RegionRow::q, 1e-3, "[0:*]"},
                             {"K = σ_{xx}/σ_{yy}", &io::RegionRow::K, 1, "[0:*]"},
                             {"rotation θ [deg], anticlockwise +", &io::RegionRow::rotation, degree, "[*:*]"}};
