@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sandgraph::io::h5 {
 namespace {
 
@@ -123,8 +125,11 @@ bool has_attribute(const Group& group, std::string_view object, std::string_view
 
 std::vector<Attribute> attributes(const Group& group, std::string_view object) {
     std::vector<std::string> names;
-    H5Aiterate_by_name(group.id(), std::string(object).c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect,
-                       &names, H5P_DEFAULT);
+    // As in Group::names(): HDF5 must not sort.
+    if (H5Aiterate_by_name(group.id(), std::string(object).c_str(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr,
+                           collect, &names, H5P_DEFAULT) < 0)
+        refuse(group, "the attributes of " + group.path_of(object) + " are damaged", last_error());
+    std::ranges::sort(names);
     std::vector<Attribute> result;
     for (const std::string& name : names) result.push_back({name, read_value(group, object, name)});
     return result;

@@ -125,9 +125,11 @@ std::vector<Row> read_table(const Group& group) {
         using T = std::remove_cvref_t<decltype(member_of(rows[0], path...))>;
         constexpr std::size_t count = Cells<T>::count;
         const auto cells = read<typename Cells<T>::Stored>(group, name);
-        if (first) rows.resize(shape(group, name).at(0));
+        const Shape extent = shape(group, name);
+        const bool right_rank = extent.size() == (count > 1 ? 2 : 1);
+        if (first && right_rank) rows.resize(extent[0]);
         first = false;
-        if (shape(group, name).size() != (count > 1 ? 2 : 1) || cells.size() != count * rows.size())
+        if (!right_rank || cells.size() != count * rows.size())
             refuse(group, fmt::format("{} differs in shape", group.path_of(name)),
                    fmt::format("{} rows of {} expected", rows.size(), count));
         check_values<T>(group, name, cells);

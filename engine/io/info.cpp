@@ -40,18 +40,21 @@ std::string dataset_line(const h5::Group& group, const std::string& name, const 
     return line + "\n";
 }
 
-constexpr std::size_t deepest = 32;  // spaces; a group may hold itself
+// A group may hold itself, many times over.
+constexpr std::size_t deepest = 32;  // spaces
+constexpr std::size_t most_objects = 100'000;
 
-std::string tree(const h5::Group& group, const std::string& indent) {
+std::string tree(const h5::Group& group, const std::string& indent, std::size_t& objects) {
     std::string text;
     if (indent.size() > deepest) return indent + "...\n";
     for (const h5::Attribute& a : h5::attributes(group, "."))
         text += fmt::format("{}{} = {}\n", indent, a.name, shown(a.value));
     for (const std::string& name : group.names()) {
+        if (++objects > most_objects) return text + indent + "...\n";
         const h5::Kind kind = group.kind(name);
         if (kind == h5::Kind::dataset) text += dataset_line(group, name, indent);
         if (kind == h5::Kind::group)
-            text += fmt::format("{}{}/\n", indent, name) + tree(group.open(name), indent + "  ");
+            text += fmt::format("{}{}/\n", indent, name) + tree(group.open(name), indent + "  ", objects);
     }
     return text;
 }
@@ -72,7 +75,8 @@ std::string info(const std::filesystem::path& path) {
                 content == "surrogate" ? "copy or train it again" : "use the one before it, *.prev");
         text += "  checksum verified\n";
     }
-    return text + tree(root, "  ");
+    std::size_t objects = 0;
+    return text + tree(root, "  ", objects);
 }
 
 }  // namespace sandgraph::io

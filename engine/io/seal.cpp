@@ -16,7 +16,7 @@ std::string expected_seal(std::istream& file) {
     file.seekg(seal_size);
     Hasher hasher;
     std::uint64_t length = 0;
-    std::vector<char> buffer(1 << 20);
+    std::vector<char> buffer(1 << 16);
     while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), file.gcount() > 0) {
         const auto count = static_cast<std::size_t>(file.gcount());
         hasher.add(std::as_bytes(std::span(buffer.data(), count)));

@@ -68,7 +68,7 @@ constexpr std::array<Reader, 14> table = {{
     {"segments", ".csv", read_segments, write_segments},
     {"packing_csv", ".csv", [](const fs::path& f) { dem::read_packing_csv(f); }, write_csv},
     {"packing_h5", ".h5", [](const fs::path& f) { io::read_packing(f); }, write_packing},
-    {"info", ".h5", [](const fs::path& f) { io::info(f); }, write_packing},
+    {"info", ".h5", [](const fs::path& f) { io::info(f); }, write_run},
     {"checkpoint", ".h5", read_fields, write_checkpoint},
     {"resealed", ".h5", read_resealed, write_checkpoint},
     {"history_h5", ".h5", [](const fs::path& f) { io::read_history(f); }, write_history},

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -132,6 +133,33 @@ TEST(Hdf5Dataset, FlippedByteInPackedDataIsRefused) {
         } catch (const InputError&) {
         }
     }
+}
+
+// HDF5 1.10 frees what it never had when it sorts the names of such a group.
+TEST(Hdf5Group, DamagedNamesOfALargeGroupAreRefused) {
+    const Scratch folder;
+    File file = File::create(folder / "a.h5");
+    for (int k = 0; k < 20; ++k) file.root().create(fmt::format("group_{}", k));
+    EXPECT_EQ(file.root().names().at(2), "group_10");  // sorted
+    file.close();
+    std::string bytes = test::contents(folder / "a.h5");
+    for (std::size_t at = bytes.find("FHDB"); at != std::string::npos; at = bytes.find("FHDB", at + 1))
+        bytes.at(at + 40) = static_cast<char>(bytes.at(at + 40) ^ 0x10);
+    test::overwrite(folder / "b.h5", bytes);
+    EXPECT_THROW(File::open(folder / "b.h5").root().names(), InputError);
+}
+
+TEST(Hdf5Dataset, NumbersOfAnotherFileAreRefused) {
+    const Scratch folder;
+    const File file = File::create(folder / "a.h5");
+    const hsize_t far = hsize_t{1} << 50;
+    const Handle space(H5Screate_simple(1, &far, nullptr), H5Sclose),
+        list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_external(list.get(), "/dev/zero", 0, H5F_UNLIMITED);
+    const Handle made(H5Dcreate2(file.root().id(), "x", H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT,
+                                 list.get(), H5P_DEFAULT),
+                      H5Dclose);
+    EXPECT_THROW(read<double>(file.root(), "x"), InputError);
 }
 
 }  // namespace

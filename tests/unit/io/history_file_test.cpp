@@ -167,6 +167,13 @@ TEST(HistoryFile, RefusesForeignSchemasAndMissingColumns) {
                h5::truncate(rows, "stress", 5);
            }),
            "/history/stress differs in shape");
+    expect(refusal_of_file([](h5::Group& g) {  // a scalar: found by fuzzing
+               const double one = 1;
+               h5::Group packings = g.open("packings");
+               packings.remove("target_porosity");
+               h5::write(packings, "target_porosity", std::span(&one, 1), {}, "", h5::Storage::contiguous);
+           }),
+           "/packings/target_porosity differs in shape");
     expect(refusal_of_file([](h5::Group& g) {
                h5::Group histories = g.open("histories");
                h5::set_attribute(histories, "path", "values", std::string("other words"));

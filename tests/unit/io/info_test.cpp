@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "io/checkpoint.hpp"
+#include "io/h5_file.hpp"
 #include "io/packing_file.hpp"
 #include "io/run_file.hpp"
 #include "tests/unit/io/scratch.hpp"
@@ -48,6 +49,19 @@ TEST(Info, ShowsAPackingAndChecksACheckpoint) {
     bytes[20] ^= 1;
     test::overwrite(folder / "c.h5", bytes);
     EXPECT_THROW(info(folder / "c.h5"), InputError);
+}
+
+// Each level holds the root eight times: 8^16 objects to whoever follows every link.
+TEST(Info, EndsThoughGroupsHoldThemselves) {
+    const Scratch folder;
+    {
+        h5::File file = h5::File::create(folder / "a.h5");
+        h5::Group root = file.root();
+        for (const char* name : {"a", "b", "c", "d", "e", "f", "g", "h"})
+            H5Lcreate_hard(root.id(), "/", root.id(), name, H5P_DEFAULT, H5P_DEFAULT);
+        file.close();
+    }
+    expect_in(info(folder / "a.h5"), {"  a/", "..."});
 }
 
 }  // namespace
