@@ -1,12 +1,13 @@
-// stability [--quick] [--list] [--only TEXT] [-o FILE]: runs the cases whose name holds TEXT and prints a
-// table; -o writes FILE.md and FILE.csv. Exit code 1 when a case does not hold.
+// stability [--quick] [--list] [--only TEXT] [-o FILE [--resume]]: runs the cases whose name holds TEXT and
+// prints a table; -o writes FILE.md and FILE.csv. Exit code 1 when a case does not hold.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
+#include <algorithm>
+#include <filesystem>
 
-#include "app/revision.hpp"
 #include "stability/suite.hpp"
+#include "stability/table.hpp"
 
 namespace {
 
@@ -22,38 +23,48 @@ std::vector<Case> all_cases() {
     return out;
 }
 
-void write(const std::string& file, std::span<const Outcome> outcomes, const std::string& head) {
-    std::ofstream(file + ".md") << head << markdown(outcomes);
-    std::ofstream(file + ".csv") << csv(outcomes);
+// What FILE.csv holds of earlier runs.
+std::vector<Outcome> measured(const std::string& file) {
+    return std::filesystem::exists(file + ".csv") ? read_csv(file + ".csv") : std::vector<Outcome>();
+}
+
+// Puts the outcome in the place of an older one of the same case, and all into the order of the suite.
+void record(std::vector<Outcome>& outcomes, Outcome outcome, std::span<const Case> cases) {
+    std::erase_if(outcomes, [&](const Outcome& o) { return o.name == outcome.name; });
+    outcomes.push_back(std::move(outcome));
+    const auto place = [&](const Outcome& o) {
+        return std::ranges::find(cases, o.name, [](const Case& c) { return std::string(c.name); }) -
+               cases.begin();
+    };
+    std::ranges::stable_sort(outcomes, {}, place);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     CLI::App cli("Cases that break solvers, with what was measured and its bounds");
-    bool quick = false, list = false;
+    bool quick = false, list = false, resume = false;
     std::string only, file;
     cli.add_flag("--quick", quick, "shorter versions, as in every build");
     cli.add_flag("--list", list, "print the names of the cases");
+    cli.add_flag("--resume", resume, "keep what FILE.csv holds already, of whatever revision");
     cli.add_option("--only", only, "cases whose name holds this text");
-    cli.add_option("-o", file, "write FILE.md and FILE.csv");
+    cli.add_option("-o", file, "write FILE.md and FILE.csv after every case");
     CLI11_PARSE(cli, argc, argv);
-    std::vector<Outcome> outcomes;
-    bool all_hold = true;
-    for (const Case& c : all_cases()) {
+    const std::vector<Case> cases = all_cases();
+    std::vector<Outcome> outcomes = resume ? measured(file) : std::vector<Outcome>();
+    const std::vector<Outcome> kept = outcomes;
+    for (const Case& c : cases) {
         if (std::string(c.name).find(only) == std::string::npos) continue;
-        if (list) {
-            fmt::print("{}\n", c.name);
-            continue;
-        }
-        outcomes.push_back(run(c, quick ? Effort::quick : Effort::full));
-        all_hold = all_hold && outcomes.back().holds();
-        fmt::print("{}", markdown(std::span(&outcomes.back(), 1)));
+        if (list) fmt::print("{}\n", c.name);
+        if (list || std::ranges::any_of(kept, [&](const Outcome& o) { return o.name == c.name; })) continue;
+        Outcome outcome = run(c, quick ? Effort::quick : Effort::full);
+        fmt::print("{}", markdown(std::span(&outcome, 1)));
         std::fflush(stdout);
+        record(outcomes, std::move(outcome), cases);
+        const std::string command = fmt::format("stability{}", quick ? " --quick" : "");
+        if (!file.empty()) write_tables(file, command, outcomes);
     }
-    const std::string head = fmt::format("`stability{}{}`, revision {}\n\n", quick ? " --quick" : "",
-                                         only.empty() ? "" : " --only " + only, sandgraph::app::revision());
-    if (!file.empty()) write(file, outcomes, head);
     if (!list && outcomes.empty()) fmt::print(stderr, "no case of the name {}\n", only);
-    return all_hold && (list || !outcomes.empty()) ? 0 : 1;
+    return list || (!outcomes.empty() && std::ranges::all_of(outcomes, &Outcome::holds)) ? 0 : 1;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <exception>
 
+#include "app/revision.hpp"
+
 namespace sandgraph::stability {
 
 void Findings::at_most(std::string what, double value, double high) {
@@ -20,13 +22,14 @@ void Findings::exactly(std::string what, double value, double wanted) {
     within(std::move(what), value, wanted, wanted);
 }
 void Findings::note(std::string what, double value) { checks_.push_back({std::move(what), value}); }
+void Findings::because(std::string why) { checks_.back().why = std::move(why); }
 
 bool Outcome::holds() const {
     return std::ranges::all_of(found.checks(), [](const Check& c) { return c.holds(); });
 }
 
 Outcome run(const Case& c, Effort effort) {
-    Outcome out{c.name, {}, 0};
+    Outcome out{.name = c.name, .found = {}, .revision = app::revision()};
     const auto begin = std::chrono::steady_clock::now();
     try {
         c.run(effort, out.found);

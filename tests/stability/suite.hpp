@@ -14,6 +14,7 @@ struct Check {
     std::string what;
     double value = 0, low = -std::numeric_limits<double>::infinity(),
            high = std::numeric_limits<double>::infinity();
+    std::string why = "";  // the bound is what it is
     bool bounded() const { return low > -std::numeric_limits<double>::infinity() || bounded_above(); }
     bool bounded_above() const { return high < std::numeric_limits<double>::infinity(); }
     bool holds() const { return !bounded() || (value >= low && value <= high); }
@@ -27,6 +28,8 @@ class Findings {
     void within(std::string what, double value, double low, double high);
     void exactly(std::string what, double value, double wanted);
     void note(std::string what, double value);  // reported, without a bound
+    void because(std::string why);              // why the bound of the check just made is what it is
+    void add(Check check) { checks_.push_back(std::move(check)); }
     const std::vector<Check>& checks() const { return checks_; }
 
   private:
@@ -56,14 +59,12 @@ std::span<const Case> rve_increment_cases();
 struct Outcome {
     std::string name;
     Findings found;
-    double seconds = 0;  // wall time
+    double seconds = 0;         // wall time
+    std::string revision = "";  // of the program that measured it
     bool holds() const;
 };
 
 // Runs a case; what it throws becomes a check that does not hold.
 Outcome run(const Case& c, Effort effort);
-
-std::string markdown(std::span<const Outcome> outcomes);
-std::string csv(std::span<const Outcome> outcomes);
 
 }  // namespace sandgraph::stability
