@@ -49,7 +49,7 @@ def regions_of(folder):
     for name in sorted({r["region"] for r in rows}):
         own = [r for r in rows if r["region"] == name]
         columns = ["d_over_B"] + [f"{q}_mean" for q in ("p", "q", "K", "porosity", "anisotropy", "strain", "rotation",
-                                                        "sigma_xx", "sigma_yy")] + ["strain_max", "rotation_max",
+                                                        "sigma_xx", "sigma_yy", "sigma_xy")] + ["strain_max", "rotation_max",
                                                                                     "rotation_min"]
         out[name] = {"points": int(own[0]["points"]), **table(thinned(own, REGION_EVERY), columns)}
         for q in ("q", "K", "anisotropy"):  # of every row, as thinning may miss a peak

@@ -71,7 +71,7 @@ class Results:
 
     def region(self, case, name, column, d):
         region = self.case(case, d)["regions"].get(name)
-        if not region:
+        if not region or column not in region:
             raise NotRun(case)
         return self.interpolated(region["d_over_B"], region[column], d)
 
@@ -87,6 +87,17 @@ class Results:
         if name not in regions:
             raise NotRun(case)
         return regions[name][f"{quantity}_peak"]
+
+    def steepest_fall(self, case, after=0.15, over=0.02):
+        """(d/B, fall of N) where the load falls most within `over`, late in the pull."""
+        load = self.case(case)["load"]
+        starts = [d for d in load["d_over_B"] if d >= after and d + over <= load["d_over_B"][-1]]
+        return max(((d, self.n_at(case, d) - self.n_at(case, d + over)) for d in starts), key=lambda at: at[1])
+
+    def chains(self, case, name, d):
+        """Direction of the larger principal stress [deg from x, anticlockwise], in which force chains run."""
+        xx, yy, xy = (self.region(case, name, f"sigma_{c}_mean", d) for c in ("xx", "yy", "xy"))
+        return math.degrees(0.5 * math.atan2(2 * xy, xx - yy))
 
     def critical(self, column, pressure=None):
         rows = list(csv.DictReader((self.folder / "critical_state.csv").open()))
