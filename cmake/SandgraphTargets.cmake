@@ -9,6 +9,8 @@ if(SANDGRAPH_SANITIZE)
   target_compile_options(sandgraph_flags INTERFACE -fsanitize=${SANDGRAPH_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)
   target_link_options(sandgraph_flags INTERFACE -fsanitize=${SANDGRAPH_SANITIZE})
+  # The kernels once, not for every instruction set: sanitized they take ten minutes to compile.
+  target_compile_definitions(sandgraph_flags INTERFACE HWY_COMPILE_ONLY_STATIC)
 endif()
 
 # sandgraph_library(dem LINK base ...): library sg_<name> from every .cpp of the current folder.

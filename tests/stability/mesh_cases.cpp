@@ -81,9 +81,11 @@ void crossing(Effort effort, Findings& found, int per_cell) {
         ground.step({0, rate});
         drift = std::max(drift, stress_drift(ground.points(), before));
     }
-    // Two rows that share a cell exchange their weight; without damping the block breathes a little.
     const double row = ground.density() * gravity * spec.cell / spec.surcharge;
     found.at_most("largest change of stress, share of p", drift, row);
+    found.because(
+        "weight of a cell's height: the nodes see only the sum of the rows that share a cell, not their "
+        "difference");
     found.at_most("change of kinetic energy, share", std::fabs(ground.kinetic() / kinetic - 1), 0.01);
     found.exactly("updates that failed", static_cast<double>(ground.counters().failures), 0);
 }
