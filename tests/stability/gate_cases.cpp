@@ -16,10 +16,9 @@ constexpr double kDistance = 0.04;  // of the pull [B]
 double rate(Effort effort) { return effort == Effort::quick ? 0.4 : 0.1; }
 GroundSpec ground_spec(Effort effort) { return plate_in_ground(effort, 1); }
 
-// A gate that nothing passes but a large spread.
+// A gate that nothing passes but a large spread and a singular acoustic tensor.
 void only_spread(graph::ScreeningSetup& setup) {
-    setup.gate = {
-        .strain = 1e9, .stress_ratio = 1e9, .tension = 0, .distance = 1e9, .work = -1e9, .acoustic = -1e9};
+    setup.gate = {.strain = 1e9, .stress_ratio = 1e9, .tension = 0, .distance = 1e9, .work = -1e9};
     setup.hand_over.dilate = 0;
 }
 
@@ -56,6 +55,7 @@ void checkerboard(Effort effort, Findings& found) {
     const auto black = [columns](std::int32_t point) { return (point / columns + point % columns) % 2 == 1; };
     spec.screening = [&](graph::ScreeningSetup& setup) {
         only_spread(setup);
+        setup.gate.acoustic = -1e9;
         tamper(setup,
                [black](std::int32_t point, stress::SurrogateAnswer& a) { a.spread = black(point) ? 10 : 0; });
     };
