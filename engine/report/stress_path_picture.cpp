@@ -75,7 +75,8 @@ Plot stress_path_plot(const RegionPicture& picture, const std::optional<Critical
     plot.script = fmt::format(
         "set multiplot layout 1,2 title {} noenhanced\nset grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset xlabel "
         "'mean "
-        "stress p [kPa]'\nset ylabel 'deviator q [kPa]'\nset key top left\nset yrange [0:*]\nset xrange "
+        "stress p [kPa]'\nset ylabel 'deviator q [kPa]'\nset key top left noenhanced\nset yrange [0:*]\nset "
+        "xrange "
         "[0:*]\nplot {}{}\n",
         literal(picture.title + ": stress paths of the regions (dot: end)"), paths(picture, 2, true),
         lines ? critical_item(fmt::format("{} * x", lines->stress_ratio), "critical state") : "");
