@@ -9,7 +9,9 @@ if(SANDGRAPH_SANITIZE)
   target_compile_options(sandgraph_flags INTERFACE -fsanitize=${SANDGRAPH_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)
   target_link_options(sandgraph_flags INTERFACE -fsanitize=${SANDGRAPH_SANITIZE})
-  # The kernels once, not for every instruction set: sanitized they take ten minutes to compile.
+endif()
+# The kernels once, not for every instruction set: sanitized they take ten minutes to compile.
+if(SANDGRAPH_SANITIZE AND NOT SANDGRAPH_SANITIZE MATCHES "fuzzer")
   target_compile_definitions(sandgraph_flags INTERFACE HWY_COMPILE_ONLY_STATIC)
 endif()
 

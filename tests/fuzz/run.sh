@@ -16,6 +16,7 @@ bounds=(-malloc_limit_mb=256 -rss_limit_mb=2048 -timeout=10 -detect_leaks=0)
 part=50000 # executions of one process
 wanted=1000000
 most_findings=20
+interrupted=72 # libFuzzer's exit code; what was executed till then counts
 
 build=yes readers=()
 while [ $# -gt 0 ]; do
@@ -45,8 +46,10 @@ run_part() {
     "$bin/tests/fuzz/fuzz_$reader" --sample "$corpus/sample"
     local longest=$(($(stat -c %s "$corpus/sample") * 5 / 4 + 4096)) seeds=("$corpus")
     [ ! -d "$here/findings/$reader" ] || seeds+=("$here/findings/$reader")
+    local status=0
     { time "$bin/tests/fuzz/fuzz_$reader" "${seeds[@]}" -runs="$runs" -max_len=$longest "${bounds[@]}" \
-        -artifact_prefix="$bin/$reader-" -print_final_stats=1 >"$log" 2>&1; } 2>"$log.time" || found=1
+        -artifact_prefix="$bin/$reader-" -print_final_stats=1 >"$log" 2>&1; } 2>"$log.time" || status=$?
+    [ $status = 0 ] || [ $status = $interrupted ] || found=1
     seconds=$(awk '{ print $1 + $2 }' "$log.time")
     echo "$(number "$log" number_of_executed_units),$seconds,$found" >>"$bin/executed/$reader"
     [ $found = 0 ] || grep -E "ERROR|SUMMARY|Test unit|what\(\)" "$log" || true
@@ -71,10 +74,13 @@ table() {
     done
 }
 
+stop=no
+trap 'stop=yes' INT TERM # after the part under way
 for reader in "${readers[@]}"; do
     while left=$((wanted - $(sum "$reader" 1))); [ "$left" -gt 0 ]; do
         run_part "$reader" $((left < part ? left : part))
         [ "$(sum "$reader" 3)" -lt $most_findings ] || break
+        [ $stop = no ] || break 2
     done
     echo "$reader: $(sum "$reader" 1) executions, $(sum "$reader" 3) findings"
 done
