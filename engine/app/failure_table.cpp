@@ -26,7 +26,8 @@ std::vector<double> numbers(const FailureRow& r) {
                                r.zone.behind,
                                r.zone.above,
                                r.zone.below,
-                               r.cavity};
+                               r.cavity,
+                               r.rotation};
     for (const report::ShearBand& band : {r.total, r.recent})
         row.insert(row.end(), {band.lower, band.middle, band.upper, band.at_surface, band.edge_at_surface,
                                band.faint_edge_at_surface, band.dilation});
@@ -36,7 +37,7 @@ std::vector<double> numbers(const FailureRow& r) {
 
 constexpr const char* kHeader =
     "run,d_over_B,highest_rise,lowest_rise,visible_ahead,heave_ahead,sink_behind,zone_ahead,zone_behind,"
-    "zone_above,zone_below,cavity,"
+    "zone_above,zone_below,cavity,band_rotation,"
     "band_lower,band_middle,band_upper,band_at_surface,band_edge,band_faint_edge,band_dilation,"
     "recent_lower,recent_middle,recent_upper,recent_at_surface,recent_edge,recent_faint_edge,recent_dilation,"
     "slip_K,slip_friction,slip_greatest,slip_before,slip_past\n";
@@ -57,11 +58,13 @@ std::vector<FailureRow> failure_rows(const FinishedRun& run) {
                        report::surface_shape(frame, view),
                        report::strained_zone(frame, view),
                        nan,
+                       nan,
                        kNoBand,
                        kNoBand,
                        kNoSlip};
         if (pulled_up(run.scene)) {
             row.cavity = report::cavity_share(frame, view);
+            row.rotation = report::band_rotation(frame, view);
             row.total = report::shear_band(start, frame, view);
             row.recent = report::shear_band(before, frame, view);
             edges.push_back(report::edge_stress(start, frame, view));

@@ -13,7 +13,7 @@ struct FailureRow {
     double d_over_B = 0;
     report::SurfaceShape surface;
     report::StrainedZone zone;
-    double cavity = 0;
+    double cavity = 0, rotation = 0;
     report::ShearBand total, recent;  // of the whole strain, and of that since the frame before
     report::SlipSurface slip;
 };

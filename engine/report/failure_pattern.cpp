@@ -19,8 +19,9 @@ constexpr double visible_rise = 0.01;  // [B]
 constexpr double strained = 0.1;       // eps_eq
 constexpr double edge_strain = 0.2;    // eps_eq of the outer edge near the surface
 constexpr double faint_strain = 0.1;
-constexpr double band_reach = 0.3;  // [B] about a row's largest strain
-constexpr double band_share = 0.5;  // of a row's largest strain
+constexpr double not_exceeded = 0.95;  // share of the points, of their rotation
+constexpr double band_reach = 0.3;     // [B] about a row's largest strain
+constexpr double band_share = 0.5;     // of a row's largest strain
 constexpr std::size_t fewest_rows = 3;
 constexpr int cavity_bins = 10;  // per point across
 
@@ -184,6 +185,19 @@ ShearBand shear_band(const io::Frame& early, const io::Frame& late, const Ground
     const double surface = line.empty() ? nan : line.back().x / view.anchor_width;
     return {angle_of(at(0), at(1)), angle_of(at(1), at(2)), angle_of(at(2), line.end()), surface,
             edge(edge_strain),      edge(faint_strain),     dilation_angle(rows, F)};
+}
+
+double band_rotation(const io::Frame& frame, const GroundView& view) {
+    const io::Field& F = field(frame, "F", 4);
+    std::vector<double> turned;
+    for (std::size_t p = 0; p < frame.x.size(); ++p)
+        if (const Mat2 f = deformation_gradient(F, p);
+            frame.y[p] > frame.plate_y + view.plate_size_y / 2 && equivalent_strain(f) >= edge_strain)
+            turned.push_back(std::abs(rotation(f)) * 180 / std::numbers::pi);
+    if (turned.empty()) return nan;
+    const auto at = turned.begin() + static_cast<std::ptrdiff_t>(not_exceeded * (turned.size() - 1));
+    std::nth_element(turned.begin(), at, turned.end());
+    return *at;
 }
 
 }  // namespace sandgraph::report

@@ -44,4 +44,8 @@ struct ShearBand {
 // Of the strain between two frames: F_late F_early^-1.
 ShearBand shear_band(const io::Frame& early, const io::Frame& late, const GroundView& view);
 
+// What 95 % of the points above a horizontal plate's top face that are strained past 0.2 do not exceed in
+// |rotation| [deg]; NaN without such points.
+double band_rotation(const io::Frame& frame, const GroundView& view);
+
 }  // namespace sandgraph::report

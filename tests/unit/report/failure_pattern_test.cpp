@@ -78,6 +78,20 @@ TEST(ShearBandRule, FindsTheDilationAngleOfTheBand) {
     EXPECT_NEAR(shear_band(ground(0, none, flat), late, half_model()).dilation, 14, 0.05);
 }
 
+TEST(ShearBandRule, TellsHowFarTheStrainedSandAboveThePlateHasTurned) {
+    io::Frame late = ground(kTravel, band(90), flat);
+    EXPECT_TRUE(std::isnan(band_rotation(ground(0, none, flat), half_model())));
+    for (std::size_t p = 0; p < late.x.size(); ++p) {
+        const bool above = late.y[p] > kPlateTop;
+        const double angle = (above ? 40 : 80) * std::numbers::pi / 180, c = std::cos(angle),
+                     s = std::sin(angle);
+        const double stretch = late.x[p] < 1 ? 1.5 : 1;  // strained near the plate only
+        double* F = &late.fields[1].values[4 * p];
+        F[0] = stretch * c, F[1] = -s / stretch, F[2] = stretch * s, F[3] = c / stretch;
+    }
+    EXPECT_NEAR(band_rotation(late, half_model()), 40, 1e-6);
+}
+
 TEST(HeaveRule, EndsWhereTheRiseIsATenthOfTheTravel) {
     const auto cone = [](double x) { return kTravel * std::max(0.0, 1 - x / 2); };  // a tenth at x = 1.8
     const SurfaceShape shape = surface_shape(ground(kTravel, none, cone), half_model());
