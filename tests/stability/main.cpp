@@ -1,5 +1,6 @@
 // stability [--quick] [--list] [--only TEXT] [-o FILE [--resume]]: runs the cases whose name holds TEXT and
-// prints a table; -o writes FILE.md and FILE.csv. Exit code 1 when a case does not hold.
+// prints a table; -o puts them into FILE.md and FILE.csv beside the cases that these hold already, which
+// --resume does not run again. Exit code 1 when a case does not hold.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -47,24 +48,28 @@ int main(int argc, char** argv) {
     std::string only, file;
     cli.add_flag("--quick", quick, "shorter versions, as in every build");
     cli.add_flag("--list", list, "print the names of the cases");
-    cli.add_flag("--resume", resume, "keep what FILE.csv holds already, of whatever revision");
+    cli.add_flag("--resume", resume, "leave out what FILE.csv holds already, of whatever revision");
     cli.add_option("--only", only, "cases whose name holds this text");
-    cli.add_option("-o", file, "write FILE.md and FILE.csv after every case");
+    cli.add_option("-o", file, "FILE.md and FILE.csv, written after every case");
     CLI11_PARSE(cli, argc, argv);
     const std::vector<Case> cases = all_cases();
-    std::vector<Outcome> outcomes = resume ? measured(file) : std::vector<Outcome>();
-    const std::vector<Outcome> kept = outcomes;
+    std::vector<Outcome> outcomes = measured(file);
+    const std::vector<Outcome> earlier = resume ? outcomes : std::vector<Outcome>();
+    const auto write = [&] {
+        if (!file.empty()) write_tables(file, fmt::format("stability{}", quick ? " --quick" : ""), outcomes);
+    };
     for (const Case& c : cases) {
         if (std::string(c.name).find(only) == std::string::npos) continue;
         if (list) fmt::print("{}\n", c.name);
-        if (list || std::ranges::any_of(kept, [&](const Outcome& o) { return o.name == c.name; })) continue;
+        if (list || std::ranges::any_of(earlier, [&](const Outcome& o) { return o.name == c.name; }))
+            continue;
         Outcome outcome = run(c, quick ? Effort::quick : Effort::full);
         fmt::print("{}", markdown(std::span(&outcome, 1)));
         std::fflush(stdout);
         record(outcomes, std::move(outcome), cases);
-        const std::string command = fmt::format("stability{}", quick ? " --quick" : "");
-        if (!file.empty()) write_tables(file, command, outcomes);
+        write();
     }
+    if (!list) write();
     if (!list && outcomes.empty()) fmt::print(stderr, "no case of the name {}\n", only);
     return list || (!outcomes.empty() && std::ranges::all_of(outcomes, &Outcome::holds)) ? 0 : 1;
 }

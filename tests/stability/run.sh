@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The stability suite in full: builds it and writes tests/stability/results.md and .csv after every case. Interrupt it
-# at any time; `--resume` goes on where it was, without it everything is measured anew. Other options: see main.cpp.
+# at any time; `--resume` goes on where it was (all cases that the table holds are left out, of whatever revision).
+# `--only TEXT` measures some cases anew and keeps the rest of the table.
 set -euo pipefail
 top=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..
 cd "$top"
