@@ -39,13 +39,15 @@ void limit(Effort effort, Findings& found) {
     const int steps = effort == Effort::quick ? 1000 : 10'000, grains = effort == Effort::quick ? 100 : 400;
     found.driven = fmt::format("undamped column kicked at random, steps of C cell/c, {} steps", steps);
     double stable = 0;
-    for (double c = 0.5; c < 0.96; c += 0.05) {
-        if (growth(c, steps, grains) > 2) break;
-        stable = c;
+    for (int c = 40; c < 96; c += 5) {
+        if (growth(0.01 * c, steps, grains) > 2) break;
+        stable = 0.01 * c;
     }
-    found.at_most("kinetic energy over the kick's at 0.95 of what a scene can ask for, C = 0.475",
-                  growth(0.95 * 0.5, steps, grains), 2);
-    found.within("largest stable C", stable, 0.6, 0.75);
+    constexpr double asked = 0.45;  // at most, by a scene: mpm::time_step
+    found.at_most("kinetic energy over the kick's at 0.95 of what a scene can ask for",
+                  growth(0.95 * asked, steps, grains), 2);
+    found.within("largest stable C, in steps of 0.05", stable, asked, 0.75);
+    found.because("0.71 for small waves; packings that rub and gap gain energy over long times from less on");
 }
 
 constexpr std::array table = {
