@@ -68,6 +68,10 @@ void check_layers(const Check& check, const std::string& name, const Model& mode
 void check_member(const Check& check, const std::string& name, const Model& model, const Member& m) {
     check.in(name + "/exponent", m.exponent, 0, 1);
     check.in(name + "/bulk", m.bulk, 0.02 * model.bounds.bulk, 5 / model.bounds.bulk);
+    check.in(name + "/critical_mature", m.critical.mature, 1e-3, 1e9);
+    check.in(name + "/critical_pull", m.critical.pull, 0, 10);
+    check.in(name + "/critical_void_ratio", m.critical.void_ratio, 0.01, 2);
+    check.in(name + "/critical_slope", m.critical.slope, 0, 0.1);
     check.all_in(name + "/share", m.share, model.elements, tiny, 1);
     check.in("the sum of " + name + "/share", sum(m.share), 1 - 1e-9, 1 + 1e-9);
     check.all_in(name + "/strength", m.strength, model.elements, tiny, 1);

@@ -3,14 +3,16 @@
 namespace sandgraph::surrogate {
 namespace {
 
-double tanh_dilatancy(const Member& m, std::size_t k, double output) {
-    return m.share[k] * std::tanh(m.dilatancy[k] + output);
+double tanh_dilatancy(const Member& m, std::size_t k, const CriticalPull& critical, double output) {
+    const double own = m.dilatancy[k] + output;
+    return m.share[k] * std::tanh(own + critical.share * (critical.toward - own));
 }
 
 }  // namespace
 
 Coefficients coefficients(const Model& model, const Member& m, const PointConstants& point, double p,
-                          double strength_scale, std::span<const double> outputs) {
+                          double strength_scale, const CriticalPull& critical,
+                          std::span<const double> outputs) {
     const std::size_t M = model.elements;
     const auto output = [&](std::size_t i) { return outputs.empty() ? 0.0 : outputs[i]; };
     const auto factor = [&](std::size_t i, double b) { return bounded_factor(output(i), b); };
@@ -23,7 +25,8 @@ Coefficients coefficients(const Model& model, const Member& m, const PointConsta
                                               : never_slips * m.share[k];
         c.strength.push_back(strength_scale * limit);
         // At most twice the friction: slip never makes energy, 2 t : dgamma >= p D dgamma.
-        c.dilatancy.push_back(std::min(tanh_dilatancy(m, k, output(2 * M + k)), 2 * c.strength.back()));
+        c.dilatancy.push_back(
+            std::min(tanh_dilatancy(m, k, critical, output(2 * M + k)), 2 * c.strength.back()));
     }
     return c;
 }

@@ -23,10 +23,20 @@ inline double bounded_factor(double o, double b) {
     return (1 + b * u) / (b + u);
 }
 
+// What critical state makes of a dilatancy before its tanh: share * toward + (1 - share) * its own.
+struct CriticalPull {
+    double share = 0, toward = 0;
+};
+inline CriticalPull critical_pull(const CriticalState& c, double void_ratio, double p, double gamma) {
+    const double g2 = gamma * gamma, away = void_ratio - c.void_ratio + c.slope * (p / 1e5);
+    return {g2 / (g2 + c.mature * c.mature), -c.pull * (away / 0.04)};
+}
+
 // `outputs` [3 M + 1] of the member's network, or empty for the fitted constants alone. p [Pa] is the mean
 // stress there, `strength_scale` the point's own factor on the friction limits (1 but for a start above
 // them).
 Coefficients coefficients(const Model& model, const Member& member, const PointConstants& point, double p,
-                          double strength_scale, std::span<const double> outputs);
+                          double strength_scale, const CriticalPull& critical,
+                          std::span<const double> outputs);
 
 }  // namespace sandgraph::surrogate

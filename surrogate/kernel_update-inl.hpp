@@ -69,8 +69,20 @@ HWY_INLINE V FeaturesOf(const KernelModel& kernel, const Points& points, const M
     return distance;
 }
 
+struct Pull {
+    V share, toward;
+};
+
+// critical_pull of coefficients.hpp.
+HWY_INLINE Pull PullOf(const CriticalState& c, const Points& points, const MemberPoints& m, V volume) {
+    const V g2 = hn::Mul(m.gamma, m.gamma);
+    const V e = hn::Sub(hn::Mul(hn::Add(points.e0, Set(1)), volume), Set(1));
+    const V away = hn::MulAdd(Set(c.slope / 1e5), m.p, hn::Sub(e, Set(c.void_ratio)));
+    return {hn::Div(g2, hn::Add(g2, Set(c.mature * c.mature))), hn::Mul(Set(-c.pull / 0.04), away)};
+}
+
 // G_k, r_k and D_k from the outputs `o`; coefficients() of coefficients.cpp.
-HWY_INLINE void ElementRates(const KernelModel& kernel, std::size_t index, V G, V scale,
+HWY_INLINE void ElementRates(const KernelModel& kernel, std::size_t index, V G, V scale, const Pull& pull,
                              const V* HWY_RESTRICT o, Rates& rates) {
     const Model& model = kernel.model;
     const Member& member = model.members[index];
@@ -83,7 +95,8 @@ HWY_INLINE void ElementRates(const KernelModel& kernel, std::size_t index, V G, 
                                                    BoundedFactor(o[n + k], Set(model.bounds.strength)))
                                          : Set(never_slips * member.share[k]);
         rates.strength[k] = hn::Mul(scale, limit);
-        const V dilatancy = hn::Mul(share, Tanh(hn::Add(Set(member.dilatancy[k]), o[2 * n + k])));
+        const V own = hn::Add(Set(member.dilatancy[k]), o[2 * n + k]);
+        const V dilatancy = hn::Mul(share, Tanh(hn::MulAdd(pull.share, hn::Sub(pull.toward, own), own)));
         rates.dilatancy[k] = hn::Min(dilatancy, hn::Add(rates.strength[k], rates.strength[k]));
     }
 }
@@ -103,7 +116,8 @@ HWY_INLINE V RatesOf(const KernelModel& kernel, std::size_t index, const Points&
     const V stiffening = Exp(hn::Mul(Set(member.exponent), hn::Sub(log_p, points.log_p0)));
     const V bulk = hn::Mul(Set(member.bulk), BoundedFactor(o[3 * n], Set(kernel.model.bounds.bulk)));
     rates.bulk = hn::Mul(hn::Mul(points.K0, stiffening), bulk);
-    ElementRates(kernel, index, hn::Mul(points.G0, stiffening), m.strength_scale, o, rates);
+    ElementRates(kernel, index, hn::Mul(points.G0, stiffening), m.strength_scale,
+                 PullOf(member.critical, points, m, volume), o, rates);
     return distance;
 }
 

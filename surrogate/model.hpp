@@ -6,7 +6,7 @@
 
 namespace sandgraph::surrogate {
 
-inline constexpr int feature_version = 2;        // of features.hpp and element_update.hpp together
+inline constexpr int feature_version = 3;        // of features.hpp and element_update.hpp together
 inline constexpr std::size_t feature_count = 9;  // in the order of features.hpp
 
 // Most that a model may have; check_model refuses more.
@@ -18,10 +18,18 @@ struct Layer {
     std::vector<double> weight, bias;
 };
 
+// Where sheared grains end up, however they began: at the void ratio `void_ratio` - `slope` p/100 kPa they
+// neither dilate nor contract. From a plastic shear of about `mature` on, dilatancy is drawn there by `pull`
+// a 0.04 of void ratio.
+struct CriticalState {
+    double mature = 0.1, pull = 0.5, void_ratio = 0.2535, slope = 0.0087;
+};
+
 // One member of the ensemble. M parallel frictional elements; no layers: constant coefficients.
 struct Member {
     double exponent = 0.5;  // of p in the moduli
     double bulk = 1;        // K over the packing's own
+    CriticalState critical;
     // Of the elements [M]: share of the shear modulus (> 0, sum 1), friction limit |t|/p (> 0), dilatancy
     // (dimensionless, before tanh).
     std::vector<double> share, strength, dilatancy;

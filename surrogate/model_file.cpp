@@ -60,9 +60,19 @@ void write_features(h5::Group group, const Model& model) {
     h5::set_attribute(group, ".", "names", joined_feature_names());
 }
 
+// The scalars of a member, likewise.
+template <class Number>
+void each_constant(Number&& number, auto& member) {
+    number("exponent", member.exponent);
+    number("bulk", member.bulk);
+    number("critical_mature", member.critical.mature);
+    number("critical_pull", member.critical.pull);
+    number("critical_void_ratio", member.critical.void_ratio);
+    number("critical_slope", member.critical.slope);
+}
+
 void write_member(h5::Group group, const Member& member) {
-    h5::set_attribute(group, ".", "exponent", member.exponent);
-    h5::set_attribute(group, ".", "bulk", member.bulk);
+    each_constant([&](const char* name, double v) { h5::set_attribute(group, ".", name, v); }, member);
     h5::set_attribute(group, ".", "layers", static_cast<std::int64_t>(member.layers.size()));
     write_column(group, "share", member.share);
     write_column(group, "strength", member.strength);
@@ -102,8 +112,7 @@ Layer read_layer(const h5::Group& group) {
 
 Member read_member(const h5::Group& group) {
     Member member;
-    member.exponent = h5::get_real(group, ".", "exponent");
-    member.bulk = h5::get_real(group, ".", "bulk");
+    each_constant([&](const char* name, double& v) { v = h5::get_real(group, ".", name); }, member);
     member.share = h5::read<double>(group, "share");
     member.strength = h5::read<double>(group, "strength");
     member.dilatancy = h5::read<double>(group, "dilatancy");

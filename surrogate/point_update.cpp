@@ -23,7 +23,10 @@ Evaluated evaluate(const Model& model, const Member& member, const PointState& p
     e.distance = clamp_to_trained(model.ranges, x);
     const std::vector<double> outputs =
         member.layers.empty() ? std::vector<double>{} : forward(member.layers, x);
-    e.coefficients = coefficients(model, member, point.constants, state.p, state.strength_scale, outputs);
+    const double void_ratio = (1 + point.constants.void_ratio) * volume - 1;
+    const CriticalPull critical = critical_pull(member.critical, void_ratio, state.p, state.gamma);
+    e.coefficients =
+        coefficients(model, member, point.constants, state.p, state.strength_scale, critical, outputs);
     return e;
 }
 

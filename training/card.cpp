@@ -32,7 +32,9 @@ Json errors(std::span<const ErrorTable> tables) {
                            {"samples", row.samples},
                            {"p50", row.median},
                            {"p95", row.high},
-                           {"worst", row.worst}});
+                           {"worst", row.worst},
+                           {"p_bias", row.p_bias},
+                           {"q_bias", row.q_bias}});
     return out;
 }
 

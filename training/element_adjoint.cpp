@@ -8,6 +8,7 @@ template <class T>
 struct Back {
     using V = Lanes<T>;
     V p = V::Zero(), bulk = V::Zero(), stiffening = V::Zero(), log_p = V::Zero();
+    V drawn = V::Zero(), toward = V::Zero();
     V re = V::Zero(), im = V::Zero();  // of sum t_k
     std::array<V, M> shear, strength, dilatancy, size;
     std::array<V, O> output;
@@ -61,7 +62,10 @@ void through_coefficients(const Weights<T>& w, const Given<T>& g, const Lanes<T>
         const V& tanh = f.sigmoid[2 * M + k];
         const V own = f.tanh_wins[k] * b.dilatancy[k];
         b.strength[k] += T(2) * (b.dilatancy[k] - own);
-        b.output[2 * M + k] = own * w.share[k] * (T(1) - tanh.square());
+        const V of_tanh = own * w.share[k] * (T(1) - tanh.square());
+        b.output[2 * M + k] = of_tanh * (T(1) - f.drawn);
+        b.drawn += of_tanh * (f.toward - f.own[k]);
+        b.toward += of_tanh * f.drawn;
         gradient.share[k] += own * tanh + b.shear[k] * g.G0 * f.stiffening * shear;
         gradient.strength[k] += b.strength[k] * strength * scale;
         b.output[M + k] = b.strength[k] * w.strength[k] * scale * of_sigmoid(M + k);
@@ -74,6 +78,22 @@ void through_coefficients(const Weights<T>& w, const Given<T>& g, const Lanes<T>
     b.output[3 * M] = b.bulk * w.bulk * g.K0 * f.stiffening * of_sigmoid(3 * M);
     gradient.exponent += b.stiffening * f.stiffening * (f.log_p - g.log_p0);
     b.log_p += b.stiffening * f.stiffening * w.exponent;
+}
+
+// Answers the adjoint of gamma.
+template <class T>
+Lanes<T> through_critical(const Weights<T>& w, const State<T>& s, const Forward<T>& f, Back<T>& b,
+                          Weights<Lanes<T>>& gradient) {
+    using V = Lanes<T>;
+    const T mature2 = w.mature * w.mature;
+    const V sum = f.gamma2 + mature2, of_sum = b.drawn / sum.square();
+    const V of_away = -w.pull * b.toward / T(0.04);
+    gradient.pull -= b.toward * f.away;
+    gradient.void_ratio -= of_away;
+    gradient.slope += of_away * T(1e-5) * s.p;
+    gradient.mature -= of_sum * f.gamma2 * T(2) * w.mature;
+    b.p += of_away * w.slope * T(1e-5);
+    return of_sum * mature2 * T(2) * s.gamma;
 }
 
 // Answers the adjoint of the features.
@@ -133,6 +153,7 @@ void step_back(const Weights<T>& w, const Given<T>& g, const State<T>& s, const 
     through_return_map(w, g, f, a, b, gradient);
     through_coefficients(w, g, s.scale, f, b, gradient);
     for (int j = 0; j < O; ++j) gradient.b3[j] += b.output[j];
+    a.gamma += through_critical(w, s, f, b, gradient);
     if (net) through_features(g, s, f, through_network(w, f, b, gradient), a, b);
     a.p = b.p + b.log_p / s.p;
     for (int k = 0; k < M; ++k) a.re[k] += b.re, a.im[k] += b.im;

@@ -42,12 +42,19 @@ void Forward<T>::network(const Weights<T>& w, bool net) {
         for (int j = 0; j < O; ++j)
             for (int i = 0; i < H; ++i) o[j] += w.W3[i][j] * h2[i];
     }
-    for (int j = 0; j < O; ++j) {
-        if (j >= 2 * M && j < 3 * M)
-            sigmoid[j] = o[j].tanh();
-        else
-            sigmoid[j] = T(0.5) + T(0.5) * (T(0.5) * o[j]).tanh();
+    for (int j = 0; j < O; ++j) sigmoid[j] = T(0.5) + T(0.5) * (T(0.5) * o[j]).tanh();
+    for (int k = 0; k < M; ++k) {
+        own[k] = o[2 * M + k];
+        sigmoid[2 * M + k] = (own[k] + drawn * (toward - own[k])).tanh();
     }
+}
+
+template <class T>
+void Forward<T>::critical(const Weights<T>& w, const Given<T>& g, const State<T>& s) {
+    gamma2 = s.gamma.square();
+    away = g.e + (T(0.22) - w.void_ratio + w.slope * T(1e-5) * s.p) / T(0.04);
+    drawn = gamma2 / (gamma2 + w.mature * w.mature);
+    toward = -w.pull * away;
 }
 
 template <class T>
@@ -90,6 +97,7 @@ template <class T>
 void Forward<T>::run(const Weights<T>& w, const Range<T>& range, const Given<T>& g, const State<T>& s,
                      bool net) {
     features(range, g, s);
+    critical(w, g, s);
     network(w, net);
     coefficients(w, g, s.scale);
     return_map(g, s);

@@ -39,6 +39,8 @@ struct ElementLaw::Fixed {
     Tensor b3;                // dilatancy and the shift of the bounded factors included
     Tensor p_least;           // [B]
     Tensor scale = Tensor();  // [E, B, 1] strength_scale of surrogate/
+    Tensor e_begin = Tensor(), e_middle = Tensor();  // [T, B] void ratio
+    Tensor critical = Tensor();                      // [E, 4]
 };
 
 struct ElementLaw::State {
@@ -64,6 +66,13 @@ ElementLaw::ElementLaw(Rung rung, std::int64_t members, std::uint64_t seed) : ru
     const Tensor yield = torch::linspace(std::log(1e-5), std::log(1e-2), elements, torch::kDouble);
     exponent = make("exponent", -2 + scatter(0.2, {members}), true);
     log_bulk = make("log_bulk", scatter(0.05, {members}), true);
+    const surrogate::CriticalState c;
+    critical =
+        make("critical",
+             torch::tensor({std::log(c.mature), std::log(c.pull), c.void_ratio / 0.04, std::log(c.slope)},
+                           torch::kDouble) +
+                 scatter(0.05, {members, 4}),
+             slips);
     share = make("share", -yield + scatter(0.2, {members, elements}), slips);
     log_strength = make("log_strength", std::log(0.45 / elements) + scatter(0.2, {members, elements}), slips);
     dilatancy = make("dilatancy", 0.1 + scatter(0.05, {members, elements}), slips);
@@ -83,12 +92,21 @@ Tensor ElementLaw::output_bias() const {
     return rung_ == Rung::learned ? b3 + offset : offset;
 }
 
+// Kept where a packing of grains can be: a member that sees little flow must not wander off.
+Tensor ElementLaw::critical_state() const {
+    const auto column = [&](std::int64_t i) { return critical.narrow(1, i, 1); };
+    return torch::cat({column(0).exp().clamp(0.01, 1), column(1).exp().clamp(0.05, 5), 0.04 * column(2),
+                       column(3).exp().clamp(1e-4, 0.05)},
+                      1);
+}
+
 std::vector<Tensor> ElementLaw::constants() const {
     constexpr double never_slips = 1e9;
     const Tensor w = torch::softmax(share, 1);
     const Tensor strength = rung_ == Rung::elastic ? never_slips * w : log_strength.exp();
     return {torch::sigmoid(exponent).unsqueeze(1),
             log_bulk.exp().unsqueeze(1),
+            critical_state(),
             w,
             strength,
             W1,
@@ -116,18 +134,21 @@ ElementLaw::Fixed ElementLaw::fix(const Batch& batch) const {
             pressure_floor * batch.p0};
     f.shear = f.share * batch.G0.unsqueeze(1);
     f.b3 = output_bias();
+    f.critical = critical_state();
+    f.e_begin = (1 + batch.e0) * batch.J - 1;
+    f.e_middle = midpoint ? (1 + batch.e0) * batch.J_middle - 1 : f.e_begin;
     if (rung_ != Rung::learned) return f;
     const Tensor still = torch::stack({(f.log_p0 - std::log(1e4)) / 3, (batch.e0 - 0.22) / 0.04,
                                        (batch.Z0 - 3.5) / 0.5, (batch.sin_phi - 0.5) / 0.1},
                                       1);
-    const auto first_layer = [&](const Tensor& J) {
-        const Tensor e = ((1 + batch.e0) * J - 1 - 0.22) / 0.04;
+    const auto first_layer = [&](const Tensor& void_ratio) {
+        const Tensor e = (void_ratio - 0.22) / 0.04;
         const Tensor x = torch::cat({e.unsqueeze(2), still.expand({batch.steps(), -1, -1})}, 2);
         const Tensor inside = torch::minimum(torch::maximum(x, entries(low, given)), entries(high, given));
         return torch::matmul(inside.unsqueeze(1), rows(W1, given)) + b1;
     };
-    f.begin = first_layer(batch.J);
-    f.middle = midpoint ? first_layer(batch.J_middle) : f.begin;
+    f.begin = first_layer(f.e_begin);
+    f.middle = midpoint ? first_layer(f.e_middle) : f.begin;
     f.W1 = rows(W1, moving), f.low = entries(low, moving), f.high = entries(high, moving);
     return f;
 }
@@ -146,8 +167,16 @@ Tensor ElementLaw::network(const Fixed& f, const State& state, const Tensor& lay
     return torch::baddbmm(f.b3, h2, W3);
 }
 
-ElementLaw::Coefficients ElementLaw::coefficients(const Fixed& f, const State& state,
-                                                  const Tensor& layer1) const {
+// Dilatancies before their tanh `own` [E, B, M], drawn to critical state: critical_pull of surrogate/.
+Tensor ElementLaw::drawn(const Fixed& f, const State& state, const Tensor& e, const Tensor& own) {
+    const auto constant = [&](std::int64_t i) { return f.critical.narrow(1, i, 1); };  // [E, 1]
+    const Tensor g2 = state.gamma.square(), share = g2 / (g2 + constant(0).square());
+    const Tensor toward = -constant(1) * (e - constant(2) + constant(3) * state.p / 1e5) / 0.04;
+    return own + share.unsqueeze(2) * (toward.unsqueeze(2) - own);
+}
+
+ElementLaw::Coefficients ElementLaw::coefficients(const Fixed& f, const State& state, const Tensor& layer1,
+                                                  const Tensor& e) const {
     constexpr std::int64_t M = elements;
     const Tensor o = network(f, state, layer1);
     const Tensor factor = 1 / bound + (bound - 1 / bound) * torch::sigmoid(o);
@@ -158,7 +187,8 @@ ElementLaw::Coefficients ElementLaw::coefficients(const Fixed& f, const State& s
     if (rung_ == Rung::elastic) return c;
     c.strength = f.strength * factor.narrow(2, M, M);
     if (f.scale.defined()) c.strength = c.strength * f.scale;
-    c.dilatancy = torch::minimum(f.share * torch::tanh(o.narrow(2, 2 * M, M)), 2 * c.strength);
+    const Tensor own = drawn(f, state, e, o.narrow(2, 2 * M, M));
+    c.dilatancy = torch::minimum(f.share * torch::tanh(own), 2 * c.strength);
     return c;
 }
 
@@ -168,9 +198,10 @@ ElementLaw::State ElementLaw::start(const Fixed& f) const {
     state.p = batch.p0.expand({members(), -1});
     state.gamma = torch::zeros_like(state.p);
     state.s = batch.s0.expand({members(), -1, -1});
-    const Tensor part = rung_ == Rung::elastic
-                            ? f.share.expand({-1, batch.size(), -1})
-                            : coefficients(f, state, rung_ == Rung::learned ? f.begin[0] : Tensor()).strength;
+    const Tensor part =
+        rung_ == Rung::elastic
+            ? f.share.expand({-1, batch.size(), -1})
+            : coefficients(f, state, rung_ == Rung::learned ? f.begin[0] : Tensor(), f.e_begin[0]).strength;
     state.t = state.s.unsqueeze(3) * (part / part.sum(2, true)).unsqueeze(2);
     return state;
 }
@@ -223,16 +254,17 @@ Prediction ElementLaw::rollout(const Batch& batch) const {
     const bool net = rung_ == Rung::learned;
     State state = start(f);
     if (rung_ != Rung::elastic) {
-        const Tensor total = coefficients(f, state, net ? f.begin[0] : Tensor()).strength.sum(2, true);
+        const Tensor total =
+            coefficients(f, state, net ? f.begin[0] : Tensor(), f.e_begin[0]).strength.sum(2, true);
         const Tensor loaded = batch.s0.norm(2, 1) / batch.p0;
         f.scale = (loaded.unsqueeze(1) / total).clamp_min(1);
     }
     std::vector<Tensor> p, s, slip;
     for (std::int64_t step = 0; step < batch.steps(); ++step) {
-        Coefficients c = coefficients(f, state, net ? f.begin[step] : Tensor());
+        Coefficients c = coefficients(f, state, net ? f.begin[step] : Tensor(), f.e_begin[step]);
         if (midpoint) {
             const State half = return_map(f, state, c, step, 0.5);
-            c = coefficients(f, half, net ? f.middle[step] : Tensor());
+            c = coefficients(f, half, net ? f.middle[step] : Tensor(), f.e_middle[step]);
         }
         state = return_map(f, state, c, step, 1);
         p.push_back(state.p);

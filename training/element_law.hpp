@@ -16,9 +16,10 @@ class ElementLaw : public Law {
     Prediction rollout(const Batch& batch) const override;
     std::int64_t members() const override { return exponent.size(0); }
     Rung rung() const { return rung_; }
-    // What a step uses, member first: exponent, bulk, share, strength, W1, b1, W2, b2, W3, b3 (dilatancy and
-    // the shift of the bounded factors included).
+    // What a step uses, member first: exponent, bulk, critical state, share, strength, W1, b1, W2, b2, W3, b3
+    // (dilatancy and the shift of the bounded factors included).
     std::vector<torch::Tensor> constants() const;
+    torch::Tensor critical_state() const;  // mature, pull, void ratio, slope [E, 4]
 
     // Midpoint rule as the kernel has it; without, coefficients are those of a step's beginning (half the
     // cost, good enough to train on short steps).
@@ -28,8 +29,9 @@ class ElementLaw : public Law {
     bool fused = true;
 
     // Parameters, member first: what surrogate::Member holds, by its logarithm or the like where bounded.
-    torch::Tensor exponent;                        // [E], by sigmoid
-    torch::Tensor log_bulk;                        // [E]
+    torch::Tensor exponent;  // [E], by sigmoid
+    torch::Tensor log_bulk;  // [E]
+    torch::Tensor critical;  // [E, 4]: log of mature and of pull, void ratio/0.04, log of slope
     torch::Tensor share, log_strength, dilatancy;  // [E, M]; share by softmax
     torch::Tensor W1, b1, W2, b2, W3, b3;          // [E, in, out], [E, 1, out]
     torch::Tensor low, high;                       // [features] clamp; no parameters
@@ -42,7 +44,10 @@ class ElementLaw : public Law {
     Fixed fix(const Batch& batch) const;
     State start(const Fixed& fixed) const;
     torch::Tensor network(const Fixed& fixed, const State& state, const torch::Tensor& layer1) const;
-    Coefficients coefficients(const Fixed& fixed, const State& state, const torch::Tensor& layer1) const;
+    static torch::Tensor drawn(const Fixed& fixed, const State& state, const torch::Tensor& e,
+                               const torch::Tensor& own);
+    Coefficients coefficients(const Fixed& fixed, const State& state, const torch::Tensor& layer1,
+                              const torch::Tensor& e) const;
     State return_map(const Fixed& fixed, const State& state, const Coefficients& c, std::int64_t step,
                      double part) const;
     static void lead(const Batch& batch, std::int64_t step, State& state);

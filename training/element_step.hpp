@@ -19,7 +19,7 @@ using Lanes = Eigen::Array<T, lanes, 1>;
 // adjoint.
 template <class V>
 struct Weights {  // in memory one row of numbers, in the order of ElementLaw::constants
-    V exponent, bulk;
+    V exponent, bulk, mature, pull, void_ratio, slope;  // the last four of critical state
     std::array<V, M> share, strength;
     std::array<std::array<V, H>, X> W1;
     std::array<V, H> b1;
@@ -59,7 +59,9 @@ struct Forward {
     V log_p, ratio_re, ratio_im, eta, stiffening, bulk, p_trial, raised, slope, p;
     std::array<V, X> x, free;  // features; 1 inside their range, else 0
     std::array<V, H> h1, h2;
-    std::array<V, O> sigmoid;  // of the outputs; tanh for the dilatancy
+    std::array<V, O> sigmoid;       // of the outputs; tanh for the dilatancy
+    std::array<V, M> own;           // dilatancy before critical state draws it, before tanh
+    V gamma2, drawn, toward, away;  // of critical_pull in surrogate/
     std::array<V, M> shear, strength, dilatancy, tanh_wins, re, im, size, coupling, slips, excess;
 
     void run(const Weights<T>& w, const Range<T>& range, const Given<T>& g, const State<T>& s, bool net);
@@ -67,6 +69,7 @@ struct Forward {
 
   private:
     void features(const Range<T>& range, const Given<T>& g, const State<T>& s);
+    void critical(const Weights<T>& w, const Given<T>& g, const State<T>& s);
     void network(const Weights<T>& w, bool net);
     void coefficients(const Weights<T>& w, const Given<T>& g, const V& scale);
     void return_map(const Given<T>& g, const State<T>& s);

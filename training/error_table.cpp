@@ -27,23 +27,29 @@ std::size_t band(const std::array<Band, N>& bands, double value) {
     return k;
 }
 
-ErrorRow row_of(std::string regime, std::vector<double> errors) {
+ErrorRow row_of(std::string regime, const std::vector<ErrorSample>& samples) {
+    std::vector<double> errors;
+    double p = 0, q = 0;
+    for (const ErrorSample& s : samples) {
+        errors.push_back(s.error);
+        p += std::clamp(s.p, -1.0, 1.0), q += std::clamp(s.q, -1.0, 1.0);
+    }
     std::ranges::sort(errors);
+    const auto n = static_cast<double>(errors.size());
     const auto at = [&](double share) {
-        return errors[std::min(errors.size() - 1,
-                               static_cast<std::size_t>(share * static_cast<double>(errors.size())))];
+        return errors[std::min(errors.size() - 1, static_cast<std::size_t>(share * n))];
     };
-    return {std::move(regime), errors.size(), at(0.5), at(0.95), errors.back()};
+    return {std::move(regime), errors.size(), at(0.5), at(0.95), errors.back(), p / n, q / n};
 }
 
 }  // namespace
 
 std::vector<ErrorRow> error_rows(const HistorySet& set, std::span<const ErrorSample> samples) {
-    std::map<std::pair<int, std::size_t>, std::pair<std::string, std::vector<double>>> groups;
-    const auto put = [&](int kind, std::size_t index, std::string name, double error) {
+    std::map<std::pair<int, std::size_t>, std::pair<std::string, std::vector<ErrorSample>>> groups;
+    const auto put = [&](int kind, std::size_t index, std::string name, const ErrorSample& sample) {
         auto& group = groups[{kind, index}];
         group.first = std::move(name);
-        group.second.push_back(error);
+        group.second.push_back(sample);
     };
     for (const ErrorSample& s : samples) {
         const History& history = set.histories[s.history];
@@ -51,36 +57,36 @@ std::vector<ErrorRow> error_rows(const HistorySet& set, std::span<const ErrorSam
         const std::size_t strain = band(strain_bands, s.strain);
         const std::size_t density = band(density_bands, start.target_porosity);
         const std::size_t pressure = band(pressure_bands, start.traits.pressure);
-        put(0, 0, "all", s.error);
-        put(1, strain, strain_bands[strain].name, s.error);
-        put(2, density, density_bands[density].name, s.error);
-        put(3, pressure, pressure_bands[pressure].name, s.error);
+        put(0, 0, "all", s);
+        put(1, strain, strain_bands[strain].name, s);
+        put(2, density, density_bands[density].name, s);
+        put(3, pressure, pressure_bands[pressure].name, s);
         put(4, static_cast<std::size_t>(history.info.path),
-            std::string("path ") + io::name(history.info.path), s.error);
+            std::string("path ") + io::name(history.info.path), s);
     }
     std::vector<ErrorRow> rows;
-    for (auto& [key, group] : groups) rows.push_back(row_of(group.first, std::move(group.second)));
+    for (auto& [key, group] : groups) rows.push_back(row_of(group.first, group.second));
     return rows;
 }
 
 std::string error_text(std::span<const ErrorTable> tables) {
     std::string text;
     for (const ErrorTable& table : tables) {
-        text += fmt::format("\n{} on {}\n{:26}{:>9}{:>9}{:>9}{:>9}\n", table.of, table.data,
-                            "error, share of p", "samples", "50 %", "95 %", "worst");
+        text += fmt::format("\n{} on {}\n{:26}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", table.of, table.data,
+                            "error, share of p", "samples", "50 %", "95 %", "worst", "p bias", "q bias");
         for (const ErrorRow& r : table.rows)
-            text += fmt::format("{:26}{:9}{:9.4f}{:9.4f}{:9.3f}\n", r.regime, r.samples, r.median, r.high,
-                                r.worst);
+            text += fmt::format("{:26}{:9}{:9.4f}{:9.4f}{:9.3f}{:9.4f}{:9.4f}\n", r.regime, r.samples,
+                                r.median, r.high, r.worst, r.p_bias, r.q_bias);
     }
     return text;
 }
 
 std::string error_csv(std::span<const ErrorTable> tables) {
-    std::string text = "of,data,regime,samples,p50,p95,worst\n";
+    std::string text = "of,data,regime,samples,p50,p95,worst,p_bias,q_bias\n";
     for (const ErrorTable& table : tables)
         for (const ErrorRow& r : table.rows)
-            text += fmt::format("{},{},{},{},{:.6g},{:.6g},{:.6g}\n", table.of, table.data, r.regime,
-                                r.samples, r.median, r.high, r.worst);
+            text += fmt::format("{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", table.of, table.data,
+                                r.regime, r.samples, r.median, r.high, r.worst, r.p_bias, r.q_bias);
     return text;
 }
 

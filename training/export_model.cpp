@@ -1,10 +1,13 @@
 #include "training/export_model.hpp"
 
+#include <fmt/format.h>
 #include <torch/types.h>
 #include <torch/utils.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "base/error.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -25,6 +28,8 @@ surrogate::Member member_of(const ElementLaw& law, std::int64_t e) {
     surrogate::Member member;
     member.exponent = torch::sigmoid(law.exponent[e]).item<double>();
     member.bulk = law.log_bulk[e].exp().item<double>();
+    const std::vector<double> c = numbers(law.critical_state()[e].to(torch::kDouble));
+    member.critical = {c[0], c[1], c[2], c[3]};
     member.share = numbers(torch::softmax(law.share[e].to(torch::kDouble), 0));
     member.strength = numbers(law.log_strength[e].to(torch::kDouble).exp());
     member.dilatancy = numbers(law.dilatancy[e]);
@@ -54,6 +59,27 @@ Tensor features_seen(const ElementLaw& law, const Batch& batch) {
                       1);
 }
 
+Tensor tensor_of(const std::vector<double>& values) { return torch::tensor(values, torch::kDouble); }
+
+void set_layer(Tensor weight, Tensor bias, const surrogate::Layer& layer) {
+    weight.copy_(tensor_of(layer.weight).reshape({bias.size(1), -1}).t());
+    bias.copy_(tensor_of(layer.bias).unsqueeze(0));
+}
+
+void check_shape(const ElementLaw& law, const surrogate::Model& model, const std::string& file) {
+    const auto fits = [](const surrogate::Member& m) {
+        return m.layers.size() == 3 && m.layers[0].outputs == ElementLaw::hidden &&
+               m.layers[1].outputs == ElementLaw::hidden;
+    };
+    if (std::ssize(model.members) == law.members() && model.elements == ElementLaw::elements &&
+        std::ranges::all_of(model.members, fits))
+        return;
+    throw InputError({file}, fmt::format("{} members of {} elements", model.members.size(), model.elements),
+                     fmt::format("training goes on from {} members of {} elements and two layers of {}",
+                                 law.members(), ElementLaw::elements, ElementLaw::hidden),
+                     "set model.members to that of the file, or train from drawn weights");
+}
+
 }  // namespace
 
 void set_ranges(ElementLaw& law, std::span<const Batch> batches) {
@@ -68,6 +94,25 @@ void set_ranges(ElementLaw& law, std::span<const Batch> batches) {
     const Tensor wider = margin * (high - low) + 1e-3;
     law.low.copy_(low - wider);
     law.high.copy_(high + wider);
+}
+
+void start_from(ElementLaw& law, const surrogate::Model& model, const std::string& file) {
+    const torch::NoGradGuard no_gradients;
+    check_shape(law, model, file);
+    for (std::size_t k = 0; k < model.members.size(); ++k) {
+        const auto e = static_cast<std::int64_t>(k);
+        const surrogate::Member& m = model.members[k];
+        law.exponent[e].fill_(std::log(m.exponent / (1 - m.exponent)));
+        law.log_bulk[e].fill_(std::log(m.bulk));
+        law.critical[e].copy_(tensor_of({std::log(m.critical.mature), std::log(m.critical.pull),
+                                         m.critical.void_ratio / 0.04, std::log(m.critical.slope)}));
+        law.share[e].copy_(tensor_of(m.share).log());
+        law.log_strength[e].copy_(tensor_of(m.strength).log());
+        law.dilatancy[e].copy_(tensor_of(m.dilatancy));
+        set_layer(law.W1[e], law.b1[e], m.layers[0]);
+        set_layer(law.W2[e], law.b2[e], m.layers[1]);
+        set_layer(law.W3[e], law.b3[e], m.layers[2]);
+    }
 }
 
 surrogate::Model export_model(const ElementLaw& law, double substep) {

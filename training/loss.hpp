@@ -9,10 +9,17 @@ torch::Tensor stress_error(const Prediction& prediction, const Batch& batch);
 // The same of the ensemble's mean [T, B].
 torch::Tensor ensemble_error(const Prediction& prediction, const Batch& batch);
 
+struct LossScale {
+    double robust = 0.1;  // error beyond which the loss grows linearly
+    // While the measured stress has moved by less than this share of p since the start, the error counts as a
+    // share of that way: stiffness at small strain carries a foundation long before anything fails. 0: never.
+    double change = 0;
+};
+
 // Mean over the weighted steps of each member's error, squared while small and linear beyond `robust`
 // (pseudo- Huber), for past the peak two packings part like weather [E]. `drawn` [E, n] counts how often each
 // member's bootstrap drew each history of the set.
 torch::Tensor rollout_loss(const Prediction& prediction, const Batch& batch, const torch::Tensor& drawn,
-                           double robust);
+                           const LossScale& scale);
 
 }  // namespace sandgraph::training

@@ -11,8 +11,9 @@ int main(int argc, char** argv) {
     CLI::App app{"Trains a surrogate from history logs.", "sandgraph-train"};
     training::TrainCommand command;
     app.add_option("recipe", command.recipe, "TOML file")->required();
-    app.add_option("-o,--out", command.out, "model to write, HDF5")->required();
+    app.add_option("-o,--out", command.out, "model to write, HDF5");
     app.add_option("--probes", command.probes, "history log made for the recipe");
+    app.add_option("--evaluate", command.evaluate, "model to measure instead of training one");
     app.add_flag("--ladder", command.ladder, "trains and measures every rung");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -45,7 +45,9 @@ void add_samples(const HistorySet& set, std::int64_t index, const CutRule& rule,
     const std::vector<Step> a = cut(pair.original, rule), b = cut(pair.twin, rule);
     for (std::size_t k = 0; k < a.size() && a[k].strain <= strain_max; ++k) {
         const double squared = 2 * std::pow(a[k].p - b[k].p, 2) + 2 * std::norm(a[k].s - b[k].s);
-        samples.push_back({index, a[k].strain, std::sqrt(squared) / std::max(a[k].p, 1e3)});
+        const double scale = std::max(a[k].p, 1e3);
+        samples.push_back({index, a[k].strain, std::sqrt(squared) / scale, (b[k].p - a[k].p) / scale,
+                           (std::abs(b[k].s) - std::abs(a[k].s)) / scale});
     }
 }
 

@@ -36,12 +36,10 @@ class Cutter {
   public:
     explicit Cutter(const CutRule& rule) : rule_(rule) {}
 
-    bool closes_before(const Strain& next) const {
-        return turns(next) && strain_of(F_).size() > rule_.coarser * rule_.least;
-    }
+    bool closes_before(const Strain& next) const { return turns(next) && strain_of(F_).size() > rule_.least; }
     bool full() const {
         const double size = rule_.share * since_turn_;
-        return strain_of(F_).size() >= rule_.coarser * std::clamp(size, rule_.least, rule_.most);
+        return strain_of(F_).size() >= std::clamp(size, rule_.least, rule_.most);
     }
     void add(const Mat2& F) {
         F_ = F * F_;

@@ -11,7 +11,6 @@ namespace sandgraph::training {
 struct CutRule {
     double least = 2e-5, most = 4e-4;
     double share = 0.06;
-    double coarser = 1;  // all three times this: the same history cut finer or coarser
     // Past a path of `lead_from` the measured pressure leads: over a strain of `lead_strain` a rollout's
     // error of p decays by 1/e (fully so past twice that path). 0: never. Where grains flow, p under given
     // strain is weather (two packings part by several p), but q/p and dilation at a given p and void ratio

@@ -9,6 +9,7 @@
 
 #include "base/hash.hpp"
 #include "base/interrupt.hpp"
+#include "surrogate/model_file.hpp"
 #include "training/element_law.hpp"
 #include "training/export_model.hpp"
 
@@ -35,7 +36,7 @@ TrainOptions options_of(const scene::TrainSpec& spec) {
             .rate = spec.rate,
             .rate_end = spec.rate_end,
             .clip = spec.clip,
-            .robust = spec.robust};
+            .scale = {.robust = spec.robust, .change = spec.change}};
 }
 
 void tell(Rung rung, const EpochReport& report) {
@@ -56,16 +57,16 @@ TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::stri
                  .lead_from = spec.lead_from,
                  .lead_strain = spec.lead_strain};
     data.hash = data_hash(spec, data.set);
-    const auto batches = [&](const std::vector<std::int64_t>& which, double coarser, std::size_t size) {
-        CutRule rule = data.rule;
-        rule.coarser = coarser;
+    CutRule free = data.rule;
+    free.lead_strain = 0;
+    const auto batches = [&](const std::vector<std::int64_t>& which, const CutRule& rule, std::size_t size) {
         return make_batches(cut_all(data.set, which, rule, spec.strain_max), size, number);
     };
-    const auto size = static_cast<std::size_t>(spec.batch);
-    data.training = batches(data.split.training, 1, size);
-    data.validation = batches(data.split.validation, 1, 512);
-    data.new_seeds = batches(data.split.new_seeds, 1, 512);
-    data.known_seeds = batches(data.split.known_seeds, 1, 512);
+    data.training = batches(data.split.training, data.rule, static_cast<std::size_t>(spec.batch));
+    data.validation = batches(data.split.validation, data.rule, 512);
+    data.new_seeds = batches(data.split.new_seeds, free, 512);
+    data.known_seeds = batches(data.split.known_seeds, free, 512);
+    data.led_new_seeds = batches(data.split.new_seeds, data.rule, 512);
     return data;
 }
 
@@ -74,6 +75,9 @@ std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& s
     const double start = seconds();
     torch::set_num_threads(spec.threads);
     Trained trained{.law = make_law(rung, spec.members, spec.seed, number)};
+    if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get());
+        elements && rung == Rung::learned && !spec.start.empty())
+        start_from(*elements, surrogate::read_model(spec.start).model, spec.start);
     Trainer trainer(trained.law, options_of(spec), std::ssize(data.set.histories), data.hash);
     if (trainer.load(state)) fmt::print(stderr, "going on after epoch {}\n", trainer.epochs());
     while (!trainer.done()) {

@@ -13,8 +13,10 @@ struct TrainingData {
     HistorySet set;
     Split split;
     CutRule rule;
-    std::vector<Batch> training, validation, new_seeds, known_seeds;
-    std::string hash;  // of the logs' contents and of the recipe's values
+    std::vector<Batch> training, validation;
+    std::vector<Batch> new_seeds, known_seeds;  // held out; rollouts know nothing but the strain
+    std::vector<Batch> led_new_seeds;           // p led as in training
+    std::string hash;                           // of the logs' contents and of the recipe's values
 };
 
 // `logs`: the recipe's own and what was probed for it.

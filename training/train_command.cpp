@@ -9,6 +9,7 @@
 #include "surrogate/load_surrogate.hpp"
 #include "surrogate/model_file.hpp"
 #include "training/card.hpp"
+#include "training/element_law.hpp"
 #include "training/evaluate.hpp"
 #include "training/export_model.hpp"
 #include "training/noise_floor.hpp"
@@ -32,6 +33,7 @@ void add_tables(const TrainingData& data, const Law& law, Rung rung, std::vector
     };
     add("new seeds", data.new_seeds);
     add("known seeds", data.known_seeds);
+    add("new seeds with p led", data.led_new_seeds);
 }
 
 void write_model(const scene::TrainSpec& spec, const TrainingData& data, const Law& law,
@@ -52,6 +54,21 @@ void check_servable(const scene::TrainSpec& spec) {
                          "write rung = \"learned\"");
 }
 
+// A model made before, on the histories that this recipe holds out.
+int evaluate_only(const TrainingData& data, const std::string& file) {
+    const surrogate::Model model = surrogate::read_model(file).model;
+    ElementLaw law(Rung::learned, std::ssize(model.members), 1);
+    start_from(law, model, file);
+    for (std::size_t i = 0; i < model.ranges.size(); ++i) {
+        law.low[static_cast<std::int64_t>(i)] = model.ranges[i].low;
+        law.high[static_cast<std::int64_t>(i)] = model.ranges[i].high;
+    }
+    std::vector<ErrorTable> tables;
+    add_tables(data, law, Rung::learned, tables);
+    fmt::print("{}", error_text(tables));
+    return done;
+}
+
 }  // namespace
 
 int run(const TrainCommand& command) {
@@ -61,6 +78,7 @@ int run(const TrainCommand& command) {
     std::vector<std::string> logs = spec.logs;
     if (!command.probes.empty()) logs.push_back(command.probes);
     const TrainingData data = load_data(spec, logs);
+    if (!command.evaluate.empty()) return evaluate_only(data, command.evaluate);
     fmt::print(stderr, "histories: {} train, {} validate, {} held out with their seeds, {} of known seeds\n",
                data.split.training.size(), data.split.validation.size(), data.split.new_seeds.size(),
                data.split.known_seeds.size());

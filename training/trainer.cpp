@@ -11,7 +11,6 @@
 
 #include "base/random.hpp"
 #include "io/atomic_file.hpp"
-#include "training/loss.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -77,7 +76,7 @@ void Trainer::clip_gradients() {
 
 double Trainer::descend(const Batch& batch) {
     adam_.zero_grad();
-    const Tensor loss = rollout_loss(law_->rollout(batch), batch, drawn_, options_.robust);
+    const Tensor loss = rollout_loss(law_->rollout(batch), batch, drawn_, options_.scale);
     loss.sum().backward();
     clip_gradients();
     adam_.step();
@@ -92,7 +91,7 @@ Tensor Trainer::validate(const Batches& validation) const {
     const Tensor all = torch::ones_like(drawn_);
     for (const Batch& batch : validation) {
         const double steps = batch.weight.sum().item<double>();
-        sum += steps * rollout_loss(law_->rollout(batch), batch, all, options_.robust).to(torch::kDouble);
+        sum += steps * rollout_loss(law_->rollout(batch), batch, all, options_.scale).to(torch::kDouble);
         weight += steps;
     }
     return torch::nan_to_num(sum / weight, 1e9, 1e9, 1e9);

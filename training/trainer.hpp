@@ -5,6 +5,7 @@
 #include <string>
 
 #include "training/law.hpp"
+#include "training/loss.hpp"
 
 namespace sandgraph::training {
 
@@ -15,7 +16,7 @@ struct TrainOptions {
     int batch = 128;    // histories
     double rate = 5e-3, rate_end = 2e-4;  // of Adam; falls along half a cosine
     double clip = 1;                      // largest norm of a member's gradient
-    double robust = 0.1;                  // error beyond which the loss grows linearly, share of p
+    LossScale scale;
 };
 
 struct EpochReport {

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-    std::string recipe, out;
+    std::string recipe, out, evaluate;
     bool ladder = false;
 };
 
@@ -51,8 +51,10 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
 void run(const Options& options) {
     const scene::TrainSpec spec = scene::read_train(options.recipe);
     const fs::path program = trainer();
-    const std::string probes = probe_log(spec, options.out);
-    std::vector<std::string> arguments{program.string(), options.recipe, "-o", options.out};
+    const std::string probes = probe_log(spec, options.out.empty() ? options.evaluate : options.out);
+    std::vector<std::string> arguments{program.string(), options.recipe};
+    if (!options.out.empty()) arguments.insert(arguments.end(), {"-o", options.out});
+    if (!options.evaluate.empty()) arguments.insert(arguments.end(), {"--evaluate", options.evaluate});
     if (!probes.empty()) arguments.insert(arguments.end(), {"--probes", probes});
     if (options.ladder) arguments.emplace_back("--ladder");
     become(program, std::move(arguments));
@@ -65,10 +67,17 @@ void add_train_command(CLI::App& app, int&) {
     auto options = std::make_shared<Options>();
     train->add_option("recipe", options->recipe, "TOML file; `sandgraph keys train` lists its keys")
         ->required();
-    train->add_option("-o,--out", options->out, "model to write, HDF5; its card and errors go beside it")
-        ->required();
+    CLI::Option* out =
+        train->add_option("-o,--out", options->out, "model to write, HDF5; its card and errors go beside it");
+    CLI::Option* evaluate = train->add_option("--evaluate", options->evaluate,
+                                              "model to measure on the held-out histories; trains nothing");
+    evaluate->check(CLI::ExistingFile)->excludes(out);
     train->add_flag("--ladder", options->ladder, "train and measure every rung, not only the recipe's");
-    train->callback([options] { run(*options); });
+    train->callback([options] {
+        if (options->out.empty() && options->evaluate.empty())
+            throw CLI::RequiredError("one of --out and --evaluate");
+        run(*options);
+    });
 }
 
 }  // namespace sandgraph::app

@@ -68,6 +68,8 @@ void add_training_keys(KeyTable& keys, TrainSpec& spec) {
     training.real("clip", spec.clip, "", above(0), "largest norm of a member's gradient");
     training.real("robust", spec.robust, "", above(0),
                   "error, as a share of p, beyond which the loss grows linearly");
+    training.real("change", spec.change, "", at_least(0),
+                  "while the stress has changed by less than this share of p, errors count as shares of it");
 }
 
 }  // namespace
@@ -79,6 +81,7 @@ KeyTable train_keys(TrainSpec& spec) {
     model.choice("rung", spec.rung, {"elastic", "fitted", "learned", "mlp", "gru"},
                  "elastic; elements with fitted constants; with learned coefficients; two baselines");
     model.integer("members", spec.members, 1, "of the ensemble");
+    model.input_file("start", spec.start, "model to go on from (retraining), else weights are drawn");
     add_training_keys(keys, spec);
     add_step_keys(keys, spec);
     return keys;

@@ -33,6 +33,8 @@ inline surrogate::Member random_member(const ModelShape& shape, Random& random) 
     }
     for (double& w : m.share) w /= shares;
     for (double& r : m.strength) r *= 0.55 / strengths;
+    m.critical = {random.uniform(0.01, 0.2), random.uniform(0.2, 1), random.uniform(0.2, 0.3),
+                  random.uniform(0, 0.02)};
     std::size_t width = surrogate::feature_count;
     for (std::size_t l = 0; l < shape.layers; ++l) {
         const std::size_t next = l + 1 == shape.layers ? 3 * shape.elements + 1 : shape.hidden;

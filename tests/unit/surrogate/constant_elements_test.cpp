@@ -11,6 +11,7 @@ namespace {
 Model constant_model() {
     Model model = support::random_model(3, {1, 8, 0, 0});
     model.members[0].exponent = 0;
+    model.members[0].critical.mature = 1e9;  // never comes of age
     for (double& d : model.members[0].dilatancy) d = 0;
     return model;
 }

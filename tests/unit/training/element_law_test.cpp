@@ -42,7 +42,7 @@ TEST_P(EveryElementRung, FusedRolloutGivesTheStressesAndGradientsOfTheStepByStep
         law->zero_grad();
         const Prediction prediction = law->rollout(sample.batch());
         const auto drawn = torch::ones({3, std::ssize(sample.set.histories)}, torch::kDouble);
-        rollout_loss(prediction, sample.batch(), drawn, 0.1).sum().backward();
+        rollout_loss(prediction, sample.batch(), drawn, {.robust = 0.1, .change = 0.3}).sum().backward();
         std::vector<torch::Tensor> out = {prediction.p.detach() / 1e4, prediction.s.detach() / 1e4};
         for (const torch::Tensor& parameter : law->parameters())
             if (parameter.grad().defined()) out.push_back(parameter.grad().clone());
@@ -89,6 +89,19 @@ TEST_P(EveryElementRung, IsServedAsItIsTrainedToTwelveDigits) {
     law->midpoint = true;
     const torch::NoGradGuard no_gradients;
     for (std::int64_t b = 0; b < sample.batch().size(); ++b) expect_served_alike(*law, sample, b);
+}
+
+TEST(ElementLaw, GoesOnFromAServedModelAsItWas) {
+    const auto first = law_of(Rung::learned), second = std::make_shared<ElementLaw>(Rung::learned, 3, 8);
+    start_from(*second, export_model(*first, 1e-4), "model.h5");
+    const Sample sample;
+    const torch::NoGradGuard no_gradients;
+    const Prediction a = first->rollout(sample.batch()), b = second->rollout(sample.batch());
+    EXPECT_LT(((a.p - b.p) / a.p).abs().max().item<double>(), 1e-10);
+    EXPECT_LT(((a.s - b.s).norm(2, 3) / a.p).abs().max().item<double>(), 1e-10);
+    EXPECT_THROW(
+        start_from(*std::make_shared<ElementLaw>(Rung::learned, 2, 8), export_model(*first, 1e-4), "m.h5"),
+        InputError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rungs, EveryElementRung, testing::Values(Rung::elastic, Rung::fitted, Rung::learned),
