@@ -59,6 +59,7 @@ int evaluate_only(const TrainingData& data, const std::string& file) {
     const surrogate::Model model = surrogate::read_model(file).model;
     ElementLaw law(Rung::learned, std::ssize(model.members), 1);
     start_from(law, model, file);
+    law.to(torch::kFloat);  // as the batches are
     for (std::size_t i = 0; i < model.ranges.size(); ++i) {
         law.low[static_cast<std::int64_t>(i)] = model.ranges[i].low;
         law.high[static_cast<std::int64_t>(i)] = model.ranges[i].high;
