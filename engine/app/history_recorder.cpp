@@ -7,6 +7,7 @@
 #include "app/revision.hpp"
 #include "base/error.hpp"
 #include "graph/rve_law.hpp"
+#include "graph/screening_law.hpp"
 #include "io/history_file.hpp"
 
 namespace sandgraph::app {
@@ -14,11 +15,28 @@ namespace {
 
 constexpr std::size_t kBlock = 2048;  // rows handed to the writer at once
 
-graph::RveLaw& grains_of(graph::Pull& pull, const scene::Scene& scene) {
-    if (auto* law = dynamic_cast<graph::RveLaw*>(pull.state().law.get())) return *law;
-    throw InputError({scene.file}, "output.history = true",
-                     "only a run with a packing at every point logs them",
-                     "run with ground.law = \"rve\" and mode = \"full\", or leave history out");
+// Chooses the points of the log and has the law watch them: all over the ground at full fidelity, the audited
+// ones in a screening run.
+std::vector<std::int32_t> watch(graph::Pull& pull, const scene::Scene& scene) {
+    stress::Law* law = pull.state().law.get();
+    if (auto* screening = dynamic_cast<graph::ScreeningLaw*>(law)) {
+        screening->watch_audits();
+        return screening->audited();
+    }
+    if (auto* grains = dynamic_cast<graph::RveLaw*>(law)) {
+        auto chosen = history_points(pull.state().points, pull.state().plate.rectangle(), scene.anchor.width,
+                                     scene.output.history_points, scene.ground.grains.seed);
+        grains->watch(chosen);
+        return chosen;
+    }
+    throw InputError({scene.file}, "output.history = true", "a ground without grains has no DEM updates",
+                     "run with ground.law = \"rve\", or leave history out");
+}
+
+const std::vector<graph::RveUpdate>& watched(const stress::Law& law) {
+    if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(&law))
+        return screening->watched_updates();
+    return dynamic_cast<const graph::RveLaw&>(law).watched_updates();
 }
 
 std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene, const PreparedGround& ground) {
@@ -37,11 +55,9 @@ HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const PreparedGround
       packings_(packings_of(scene, ground)),
       rows_max_(
           static_cast<std::size_t>(scene.output.history_max / double(io::HistoryJournal::row_bytes()))) {
-    graph::RveLaw& law = grains_of(pull, scene);
     const mpm::Points& points = pull.state().points;
-    const auto chosen = history_points(points, pull.state().plate.rectangle(), scene.anchor.width,
-                                       scene.output.history_points, scene.ground.grains.seed);
-    law.watch(chosen);
+    const std::vector<std::int32_t> chosen = watch(pull, scene);
+    if (scene.mode == scene::Mode::screening) mode_ = io::HistoryMode::audit;
     history_of_.assign(points.size(), -1);
     for (const std::int32_t point : chosen) {
         const auto p = static_cast<std::size_t>(point);
@@ -54,8 +70,7 @@ HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const PreparedGround
 }
 
 void HistoryRecorder::after_step(const graph::Pull& pull, BackgroundWriter& writer) {
-    const auto& law = dynamic_cast<const graph::RveLaw&>(*pull.state().law);
-    for (const graph::RveUpdate& update : law.watched_updates()) log(update, pull.time());
+    for (const graph::RveUpdate& update : watched(*pull.state().law)) log(update, pull.time());
     if (pending_.size() >= kBlock) hand_over(writer);
 }
 
@@ -66,7 +81,7 @@ void HistoryRecorder::log(const graph::RveUpdate& update, double time) {
     const std::int32_t history = history_of_[static_cast<std::size_t>(update.point)];
     const auto h = static_cast<std::size_t>(history);
     io::HistoryRow row = history_row(update);
-    row.history = history, row.sequence = static_cast<std::int32_t>(length_[h]++);
+    row.mode = mode_, row.history = history, row.sequence = static_cast<std::int32_t>(length_[h]++);
     row.dt = time - last_time_[h];
     last_time_[h] = time;
     pending_.push_back(row);

@@ -11,9 +11,9 @@
 
 namespace sandgraph::app {
 
-// The history log of a run: follows some points from the first step on, hands their updates to the background
-// writer in blocks, and makes history.h5 of them when the run ends. Bounded in memory by the writer's queue,
-// on disk by [output] history_max, past which it logs no more.
+// The history log of a run: follows some points (of a screening run the audited ones) from the first step on,
+// hands their updates to the background writer in blocks, and makes history.h5 of them when the run ends.
+// Bounded in memory by the writer's queue, on disk by [output] history_max, past which it logs no more.
 class HistoryRecorder {
   public:
     // Watches the points of `pull`, at rest. InputError for ground without grains.
@@ -44,6 +44,7 @@ class HistoryRecorder {
     std::vector<double> last_time_;         // by history: of its last row [s]
     std::size_t logged_ = 0, rows_max_;
     bool full_ = false;
+    io::HistoryMode mode_ = io::HistoryMode::dem;
     std::vector<io::HistoryRow> pending_;
     std::optional<io::HistoryJournal> journal_;
 };

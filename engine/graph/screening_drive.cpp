@@ -43,14 +43,36 @@ void ScreeningLaw::add_job(std::int32_t point, Task task, const dem::Rve& rve, d
 
 void ScreeningLaw::drive(const stress::Batch& batch) {
     outcomes_.assign(jobs_.size(), {});
+    assign_records();
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, jobs_.size(), 1),
         [&](const auto& range) {
             for (std::size_t slot = range.begin(); slot < range.end(); ++slot)
-                outcomes_[slot] = run(jobs_[slot], batch);
+                outcomes_[slot] = run(jobs_[slot], batch), record(slot);
         },
         tbb::simple_partitioner());
     for (std::size_t slot = 0; slot < jobs_.size(); ++slot) count(jobs_[slot], outcomes_[slot]);
+}
+
+// Records are owned by slot, so that their order hangs on no thread.
+void ScreeningLaw::assign_records() {
+    record_of_.assign(jobs_.size(), -1);
+    std::int32_t count = 0;
+    for (std::size_t slot = 0; slot < jobs_.size() && watching_; ++slot)
+        if (jobs_[slot].task == Task::audit) record_of_[slot] = count++;
+    watched_.resize(static_cast<std::size_t>(count));
+}
+
+void ScreeningLaw::record(std::size_t slot) {
+    if (record_of_[slot] < 0) return;
+    const std::int32_t p = jobs_[slot].point;
+    const dem::Rve& rve = audit_rves_[audit_of_[p]];
+    watched_[static_cast<std::size_t>(record_of_[slot])] = {p,
+                                                            visits_.collected(p),
+                                                            outcomes_[slot].report,
+                                                            rve.stress(),
+                                                            rve.volume_ratio(),
+                                                            dem::observe(rve, setup_.grains.material)};
 }
 
 ScreeningLaw::Outcome ScreeningLaw::run(const Job& job, const stress::Batch& batch) {

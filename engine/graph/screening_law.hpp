@@ -37,6 +37,10 @@ class ScreeningLaw : public stress::Law {
     std::size_t grain_points() const { return dem_points_; }
     std::size_t size() const { return mode_.size(); }
     double porosity(std::size_t point) const;
+    // The history log follows the audited packings: full fidelity along the strain that the surrogate led to.
+    void watch_audits() { watching_ = true; }
+    const std::vector<std::int32_t>& audited() const { return audited_; }
+    const std::vector<RveUpdate>& watched_updates() const { return watched_; }  // of the last step
     // The audit's stress error of a point that the surrogate answers for; NaN where nobody looks.
     double audited_error(std::size_t point) const;
 
@@ -63,6 +67,8 @@ class ScreeningLaw : public stress::Law {
     dem::RveReport advance(dem::Rve& rve, const Mat2& F_inc);
 
     Outcome run(const Job& job, const stress::Batch& batch);
+    void assign_records();
+    void record(std::size_t slot);
     Outcome answer(std::int32_t point, const stress::Batch& batch);
     Outcome replay(std::int32_t point);
     void count(const Job& job, const Outcome& outcome);
@@ -96,6 +102,9 @@ class ScreeningLaw : public stress::Law {
     std::vector<std::int32_t> audit_of_;  // by point: its place in the sample, or -1
     std::vector<dem::Rve> audit_rves_;    // by place
     std::vector<double> audit_errors_;    // by place
+    bool watching_ = false;
+    std::vector<RveUpdate> watched_;       // in the order of jobs_
+    std::vector<std::int32_t> record_of_;  // by slot of jobs_: in watched_, or -1
 
     std::vector<std::int32_t> asked_;               // of the surrogate, this step
     std::vector<stress::SurrogateAnswer> answers_;  // by slot of asked_

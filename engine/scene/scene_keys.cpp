@@ -85,7 +85,9 @@ void add_output_keys(KeyTable& keys, Output& o) {
         .in_hash = false;
     output.real("checkpoint_every", o.checkpoint_every, "s", above(0), "wall time between checkpoints")
         .in_hash = false;
-    output.flag("history", o.history, "log the updates of some packings to history.h5, for training")
+    output
+        .flag("history", o.history,
+              "log the updates of some packings (screening: the audited ones) to history.h5, for training")
         .in_hash = false;
     output
         .integer("history_points", o.history_points, 1,

@@ -13,6 +13,7 @@
 #include "io/history_file.hpp"
 #include "mpm/layout.hpp"
 #include "scene/read_scene.hpp"
+#include "surrogate/load_surrogate.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::app {
@@ -46,8 +47,8 @@ const PreparedGround& ground() {
 }
 
 // Runs some steps with a log.
-io::HistoryLog logged(const scene::Scene& scene, int threads, int steps, bool* full = nullptr) {
-    const PreparedGround& prepared = ground();  // before this test's folder, whose name its cache has, too
+io::HistoryLog logged(const scene::Scene& scene, const PreparedGround& prepared, int threads, int steps,
+                      bool* full = nullptr) {
     const test::Scratch folder;
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
@@ -65,31 +66,51 @@ io::HistoryLog logged(const scene::Scene& scene, int threads, int steps, bool* f
     return io::read_history(folder / "history.h5");
 }
 
+io::HistoryLog logged(const scene::Scene& scene, int threads, int steps, bool* full = nullptr) {
+    const PreparedGround& prepared = ground();  // before the test's folder, whose name its cache has, too
+    return logged(scene, prepared, threads, steps, full);
+}
+
 constexpr int kSteps = 1500;
 const io::HistoryLog& log() {
     static const io::HistoryLog made = logged(small_scene(), 2, kSteps);
     return made;
 }
 
-// The log is the packing's history: driven through the row's initial packing it gives the logged stress.
-TEST(HistoryRecorder, LoggedIncrementsReplayToTheLoggedStressBitForBit) {
+// Driven through the row's initial packing, logged increments give the logged stress bit for bit. Answers how
+// many rows there were.
+std::size_t replayed(const io::HistoryLog& log, io::HistoryMode mode) {
     const scene::Ground& g = small_scene().ground;
     const dem::RveOptions options =
         rve_options(g.rve, g.grains.material, ground().rows[0].packing->grains->radius);
     dem::Workspace work;
-    std::size_t replayed = 0;
-    for (std::size_t h = 0; h < log().histories.size(); ++h) {
-        const auto row = static_cast<std::size_t>(log().histories[h].packing);
-        EXPECT_EQ(log().packings[row].stress, ground().rows[row].packing->stress);
+    std::size_t rows = 0;
+    for (std::size_t h = 0; h < log.histories.size(); ++h) {
+        const auto row = static_cast<std::size_t>(log.histories[h].packing);
+        EXPECT_EQ(log.packings[row].stress, ground().rows[row].packing->stress);
         dem::Rve rve(ground().rows[row].packing);
-        for (const io::HistoryRow& update : log().of(h)) {
+        for (const io::HistoryRow& update : log.of(h)) {
             rve.update(update.F_inc, g.grains.material, options, work);
-            ASSERT_EQ(rve.stress(), update.stress);
-            ASSERT_EQ(rve.volume_ratio(), update.volume_ratio);
-            ++replayed;
+            EXPECT_EQ(rve.stress(), update.stress);
+            EXPECT_EQ(rve.volume_ratio(), update.volume_ratio);
+            EXPECT_EQ(update.mode, mode);
+            ++rows;
         }
     }
-    EXPECT_GT(replayed, 100u);
+    return rows;
+}
+
+TEST(HistoryRecorder, LogIsThePackingsHistory) { EXPECT_GT(replayed(log(), io::HistoryMode::dem), 100u); }
+
+// What a screening run is retrained from: grains along the strain that the surrogate led to.
+TEST(HistoryRecorder, LogOfAScreeningRunIsThatOfItsAuditedPackings) {
+    const std::vector<std::string> set = {"mode=screening", "audit.share=0.05", "gate.active=false",
+                                          "surrogate.model=" SANDGRAPH_SOURCE "/configs/table1.surrogate.h5"};
+    const scene::Scene scene = scene::parse_scene(kScene, "s.toml", set);
+    PreparedGround screened = ground();
+    screened.surrogate = surrogate::load_surrogate(SANDGRAPH_SOURCE "/configs/table1.surrogate.h5");
+    const io::HistoryLog log = logged(scene, screened, 2, kSteps);
+    EXPECT_GT(replayed(log, io::HistoryMode::audit), 100u);
 }
 
 TEST(HistoryRecorder, TimeBetweenRowsAddsUpToNoMoreThanTheRun) {
