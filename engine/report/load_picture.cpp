@@ -11,13 +11,23 @@ namespace sandgraph::report {
 namespace {
 
 constexpr std::size_t labelled_curves = 3;
+constexpr double bin =
+    0.004;  // d/B over which each of many curves is averaged: dashes of a jagged line say nothing
 
 std::string file_name(std::size_t k) { return fmt::format("curve{}.txt", k); }
 
-std::string rows(const LoadCurve& curve) {
+// Means over stretches of `length` in d/B; 0: every point.
+std::string rows(const LoadCurve& curve, double length) {
     std::string text;
-    for (std::size_t k = 0; k < curve.d_over_B.size(); ++k)
-        text += fmt::format("{} {}\n", curve.d_over_B[k], curve.load[k] / curve.unit_load);
+    for (std::size_t k = 0, end = 0; k < curve.d_over_B.size(); k = end) {
+        double d = 0, load = 0;
+        for (end = k;
+             end < curve.d_over_B.size() && (end == k || curve.d_over_B[end] - curve.d_over_B[k] < length);
+             ++end)
+            d += curve.d_over_B[end], load += curve.load[end];
+        const auto n = static_cast<double>(end - k);
+        text += fmt::format("{} {}\n", d / n, load / n / curve.unit_load);
+    }
     return text;
 }
 
@@ -110,7 +120,7 @@ Plot load_plot(const LoadPicture& picture) {
     };
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
         plot.script += breakout_label(picture.curves[k], k, many, last_displacement(picture.curves));
-        plot.data.emplace_back(file_name(k), rows(picture.curves[k]));
+        plot.data.emplace_back(file_name(k), rows(picture.curves[k], many ? bin : 0));
         add(curve_item(picture.curves[k], k));
     }
     for (const ReferenceLine& r : picture.references) add(reference_item(r));
