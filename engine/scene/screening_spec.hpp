@@ -13,13 +13,13 @@ struct SurrogateChoice {
 // From where on the surrogate is not trusted, and how a point is handed to its grains.
 struct Gate {
     bool active = true;
-    double strain = 0.005;
+    double strain = 0.003;
     double stress_ratio = 1;
     double tension = 100;  // [Pa]
     double distance = 0.25;
-    double spread = 0.1;
+    double spread = 0.5;
     double second_order_work = -0.1;
-    double acoustic = 0, acoustic_from = 0.9;
+    double acoustic = -1000, acoustic_from = 0.9;
     double low = 0.5;
     int dilate = 1;
     int blend_steps = 200, replay_steps = 50;

@@ -44,7 +44,7 @@ Told told(Effort effort, Lie lie, bool gate) {
     Ground ground(spec);
     Told out;
     try {
-        out.kinetic = pull(ground, effort == Effort::quick ? 0.4 : 0.1, 0.02).kinetic_share;
+        out.kinetic = pull(ground, effort == Effort::quick ? 0.2 : 0.1, 0.02).kinetic_share;
     } catch (const std::runtime_error&) {
         out.stopped = true;
     }
