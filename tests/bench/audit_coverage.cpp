@@ -24,7 +24,8 @@ struct Coverage {
 
 Coverage coverage_of(const std::vector<double>& errors, std::size_t population, double share) {
     Coverage c;
-    for (const double e : errors) c.truth += std::isfinite(e) ? e / static_cast<double>(population) : 0;
+    for (const double e : errors)
+        c.truth += std::isfinite(e) ? std::min(e, graph::audit_cap) / static_cast<double>(population) : 0;
     for (int draw = 1; draw <= draws; ++draw) {
         std::vector<double> sample;
         for (const std::int32_t p : graph::draw_sample(errors.size(), {share, std::uint64_t(draw), 1}))
