@@ -93,8 +93,12 @@ LatticeBasis reduce_lattice(const Mat2& H) {
         }
         const double m = std::round(out.basis.col(0).dot(out.basis.col(1)) / out.basis.col(0).squaredNorm());
         if (m == 0) return out;
-        out.change.col(1) -= static_cast<int>(m) * out.change.col(0);
-        out.basis = H * out.change.cast<double>();
+        LatticeBasis next = out;
+        next.change.col(1) -= static_cast<int>(m) * out.change.col(0);
+        next.basis = H * next.change.cast<double>();
+        // Of two equally short bases each leads to the other, for ever (found by fuzzing).
+        if (next.basis.col(1).squaredNorm() > (1 - 1e-12) * out.basis.col(1).squaredNorm()) return out;
+        out = next;
     }
 }
 

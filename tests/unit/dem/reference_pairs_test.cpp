@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "base/random.hpp"
 
@@ -74,6 +76,12 @@ TEST(LatticeReduction, IsUnimodularAndShort) {
     const double a = out.basis.col(0).squaredNorm(), b = out.basis.col(1).squaredNorm();
     EXPECT_LE(a, b);
     EXPECT_LE(std::abs(out.basis.col(0).dot(out.basis.col(1))), 0.5 * a * (1 + 1e-12));
+}
+
+TEST(ReduceLattice, EndsWhereTwoBasesAreEquallyShort) {
+    const LatticeBasis found = reduce_lattice((Mat2() << 0.03, 5, 0, 0.01).finished());
+    EXPECT_NEAR(found.basis.col(0).norm(), 0.01 * std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(std::fabs(found.basis.determinant()), 3e-4, 1e-12);
 }
 
 }  // namespace
