@@ -1,6 +1,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "graph/screening_law.hpp"
 #include "graph/stress_arithmetic.hpp"
@@ -9,6 +10,22 @@ namespace sandgraph::graph {
 namespace {
 
 constexpr double kLargestPiece = 0.1;  // strain of one update that catches up
+
+double largest_tension(const Stress& s) {
+    return 0.5 * (s.xx + s.yy) + std::hypot(0.5 * (s.xx - s.yy), s.xy);
+}
+
+// What of a fading jump sand can bear on top of its grains' stress: all, a half, a quarter ... or nothing,
+// such that nothing pulls.
+Stress bearable(const Stress& by_grains, Stress rest) {
+    for (int halvings = 0; halvings < 6; ++halvings) {
+        Stress sum = by_grains;
+        add(sum, rest);
+        if (largest_tension(sum) <= 0) return rest;
+        rest = {0.5 * rest.xx, 0.5 * rest.yy, 0.5 * rest.xy};
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -98,6 +115,7 @@ ScreeningLaw::Outcome ScreeningLaw::answer(std::int32_t p, const stress::Batch& 
     Outcome out{advance(rves_[p], visits_.collected(p))};
     const Stress by_grains = tension_positive(rves_[p].stress());
     Stress now = by_grains;
+    if (mode_[p] == PointMode::blending) blend_[p] = bearable(by_grains, blend_[p]);
     add(now, blend_[p]);
     const VisitSettings settings = setup_.grains.visits();
     const double reference = reference_pressure(by_grains, settings.pressure_floor);
