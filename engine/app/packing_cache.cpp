@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -57,10 +58,13 @@ bool read_cached(const fs::path& file, const std::string& recipe, dem::Packing& 
     }
 }
 
-void keep(const fs::path& file, const io::PackingRecord& record) {
+// Written under a name of this process's own: runs started together prepare the same packings.
+void keep(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+    const fs::path own = file.string() + "." + std::to_string(getpid());
     try {
         fs::create_directories(file.parent_path());
-        io::write_packing(file, record);
+        write(own);
+        fs::rename(own, file);
     } catch (const std::exception&) {
         // Without a writable cache the next run prepares again.
     }
@@ -75,7 +79,7 @@ dem::Packing cached_packing(const std::string& recipe, const dem::Material& mate
     dem::Packing packing;
     if (read_cached(file, text, packing)) return packing;
     packing = make();
-    keep(file, {packing, material, text});
+    keep(file, [&](const fs::path& own) { io::write_packing(own, {packing, material, text}); });
     return packing;
 }
 
@@ -86,12 +90,8 @@ std::vector<double> cached_numbers(const std::string& recipe, std::size_t count,
     std::vector<double> values{std::istream_iterator<double>(in), {}};
     if (values.size() == count) return values;
     values = make();
-    try {
-        fs::create_directories(file.parent_path());
-        io::write_text(file, fmt::format("{:.17g}\n", fmt::join(values, " ")));
-    } catch (const std::exception&) {
-        // As above.
-    }
+    keep(file,
+         [&](const fs::path& own) { io::write_text(own, fmt::format("{:.17g}\n", fmt::join(values, " "))); });
     return values;
 }
 

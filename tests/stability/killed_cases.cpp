@@ -66,7 +66,7 @@ void killed(Effort effort, Findings& found, RunMode mode) {
     const int wanted = effort == Effort::quick ? 4 : 30;
     found.driven = fmt::format("{} run, SIGKILL at {} random moments, resumed each time",
                                mode == RunMode::full ? "full-fidelity" : "screening", wanted);
-    const RunFolder folder(effort, mode);
+    RunFolder folder(effort, mode);
     const double longest = 0.7 * folder.seconds("whole");
     const auto whole = results(folder / "whole");
     Random random(effort == Effort::quick ? 1 : 2);
@@ -87,7 +87,7 @@ void killed(Effort effort, Findings& found, RunMode mode) {
     found.exactly("run.h5 or load.csv not readable after a kill", wreck.unreadable, 0);
     found.exactly("unexpected exit codes", wreck.odd_exits, 0);
     found.note("runs that the kills were spread over", runs);
-    check_same("the uninterrupted run", differ, found);
+    check_same("the uninterrupted run" + (differ.empty() ? "" : ", kept in " + folder.keep()), differ, found);
 }
 
 void asked(Effort effort, Findings& found, int signal, const char* name) {

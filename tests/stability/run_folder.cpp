@@ -59,7 +59,7 @@ RunFolder::RunFolder(Effort effort, RunMode mode) {
 
 RunFolder::~RunFolder() {
     std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    if (!kept_) fs::remove_all(folder_, ignored);
 }
 
 pid_t RunFolder::start(const std::string& name, const std::vector<std::string>& more,

@@ -30,10 +30,13 @@ class RunFolder {
     void await_checkpoint(pid_t pid, const std::string& name, bool and_previous = false) const;
     std::string log(const std::string& name) const;  // what the last run NAME printed
     bool can_resume(const std::string& name) const;
+    // Leaves the folder behind, to be looked at, and returns it.
+    std::string keep() { return kept_ = true, folder_.string(); }
 
   private:
     std::filesystem::path folder_;
     std::vector<std::string> always_;
+    bool kept_ = false;
 };
 
 }  // namespace sandgraph::stability
