@@ -135,6 +135,7 @@ void RunFile::cut_back(std::size_t rows, std::size_t frames) {
                          fmt::format("{} load rows and {} frames, {} and {} needed", record_.load.size(),
                                      record_.frames, rows, frames),
                          "start the run anew, without --resume");
+    fs::remove(folder_ / "summary.json");  // of an earlier end: a run that goes on has not ended
     record_.load.resize(rows);
     record_.frames = frames;
     commit();

@@ -177,6 +177,14 @@ TEST_F(InterruptedRun, StopsWhereAskedAndGoesOn) {
     expect_same("whole", "part");
 }
 
+// Scripts take summary.json for the end of a run.
+TEST_F(InterruptedRun, KilledOnItsWayHasNoSummaryOfAnEarlierEnd) {
+    ASSERT_EQ(run("part", {"--until", "0.002"}), 0);
+    ASSERT_TRUE(fs::exists(out("part") / "summary.json"));
+    EXPECT_EQ(stop("part", SIGKILL, 4, {"--resume"}), 128 + SIGKILL);
+    EXPECT_FALSE(fs::exists(out("part") / "summary.json"));
+}
+
 TEST_F(InterruptedRun, RefusesAFolderThatCannotBe) {
     std::ofstream(out("file")) << "in the way";
     EXPECT_EQ(run("file"), 2);

@@ -77,7 +77,8 @@ void killed(Effort effort, Findings& found, RunMode mode) {
         const std::string name = fmt::format("killed{}", runs++);
         while (wreck.kills < wanted && !start_and_kill(folder, name, longest, random, wreck)) {
         }
-        if (!fs::exists(folder / name / "summary.json"))
+        // The last kill may have come after the summary and before the checkpoints were removed.
+        if (folder.can_resume(name) || !fs::exists(folder / name / "summary.json"))
             wreck.odd_exits += folder.can_resume(name) ? folder.run(name, {"--resume"}) : folder.run(name);
         std::ranges::copy(differences(whole, results(folder / name)), std::back_inserter(differ));
     }
