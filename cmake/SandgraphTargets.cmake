@@ -15,6 +15,15 @@ if(SANDGRAPH_SANITIZE AND NOT SANDGRAPH_SANITIZE MATCHES "fuzzer")
   target_compile_definitions(sandgraph_flags INTERFACE HWY_COMPILE_ONLY_STATIC)
 endif()
 
+# sandgraph_kernel(fast_kernel.cpp): a file of Highway loops. Sanitized it is compiled for this machine, for Highway's
+# baseline is scalar: many times slower, and not what users run. Eigen keeps the alignment of the other files.
+function(sandgraph_kernel file)
+  if(SANDGRAPH_SANITIZE AND NOT SANDGRAPH_SANITIZE MATCHES "fuzzer")
+    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS
+                                "-march=native;-DEIGEN_MAX_ALIGN_BYTES=16;-DEIGEN_MAX_STATIC_ALIGN_BYTES=16")
+  endif()
+endfunction()
+
 # sandgraph_library(dem LINK base ...): library sg_<name> from every .cpp of the current folder.
 function(sandgraph_library name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
