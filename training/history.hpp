@@ -23,6 +23,9 @@ struct HistorySet {
     const io::HistoryPacking& start_of(const History& history) const { return packings[history.packing]; }
 };
 
+// Of a file's contents.
+std::string file_hash(const std::string& file);
+
 // The DEM histories of the logs, one set. A history ends where its packing could not follow. InputError on
 // what io::read_history refuses, and when nothing is left.
 HistorySet read_histories(const std::vector<std::string>& files);

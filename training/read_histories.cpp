@@ -11,12 +11,6 @@
 namespace sandgraph::training {
 namespace {
 
-std::string file_hash(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    return hex(hash64(bytes));
-}
-
 History history_of(const io::HistoryLog& log, std::size_t h) {
     History history;
     history.info = log.histories[h];
@@ -41,6 +35,12 @@ void add(HistorySet& set, const io::HistoryLog& log) {
 }
 
 }  // namespace
+
+std::string file_hash(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    return hex(hash64(bytes));
+}
 
 HistorySet read_histories(const std::vector<std::string>& files) {
     HistorySet set;

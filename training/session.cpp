@@ -25,6 +25,7 @@ double seconds() {
 std::string data_hash(const scene::TrainSpec& spec, const HistorySet& set) {
     std::string text = spec.text;
     for (const std::string& source : set.sources) text += "\n" + source.substr(source.rfind(' '));
+    if (!spec.start.empty()) text += "\nstart " + file_hash(spec.start);
     return hex(hash64(text));
 }
 

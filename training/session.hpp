@@ -16,7 +16,7 @@ struct TrainingData {
     std::vector<Batch> training, validation;
     std::vector<Batch> new_seeds, known_seeds;  // held out; rollouts know nothing but the strain
     std::vector<Batch> led_new_seeds;           // p led as in training
-    std::string hash;                           // of the logs' contents and of the recipe's values
+    std::string hash;  // of the logs' and the starting model's contents and of the recipe
 };
 
 // `logs`: the recipe's own and what was probed for it.
