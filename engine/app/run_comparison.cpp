@@ -77,7 +77,7 @@ std::string comparison_chapter(const std::vector<FinishedRun>& runs, const std::
     std::vector<report::Row> rows = {{"run", "anchor, sand", "H/B", "N_gamma", "formula", "difference",
                                       "at d/B", "late load [kN/m]", "wall time [s]"}};
     for (const FinishedRun& run : runs) rows.push_back(row_of(run));
-    std::string html = report::table(rows) + "<div class=\"grid\">\n";
+    std::string html = report::table(rows);
     std::filesystem::create_directories(pictures);
     report::draw_breakout_picture(series(runs), pictures / "breakout.png");
     for (const bool up : {true, false}) {
@@ -90,7 +90,7 @@ std::string comparison_chapter(const std::vector<FinishedRun>& runs, const std::
     html += report::figure(pictures / "breakout.png",
                            "Breakout factor against embedment, with the closed forms at "
                            "the friction angle measured on the packings");
-    return html + "</div>\n";
+    return html;
 }
 
 }  // namespace sandgraph::app

@@ -81,21 +81,27 @@ std::string reference_labels(const std::vector<ReferenceLine>& references) {
     return text;
 }
 
+// Where the words beside a dot stand: above a reference line that would run through them.
+double clear_of(const std::vector<ReferenceLine>& references, double n) {
+    for (const ReferenceLine& r : references)
+        if (r.n_gamma > 0.99 * n && r.n_gamma < 1.1 * n) n = r.n_gamma;
+    return n;
+}
+
 // Of many curves the dots alone, or their words would cover each other.
-std::string breakout_label(const LoadCurve& curve, std::size_t k, bool many, double last) {
-    if (curve.breakout.d_over_B <= 0) return {};
-    const double n = curve.breakout.load / curve.unit_load;
-    if (many)
-        return fmt::format("set label '' at {},{} point pt 7 ps 1.3 lc rgb '{}' front\n",
-                           curve.breakout.d_over_B, n, series_colour(k));
+std::string breakout_label(const LoadCurve& curve, std::size_t k, bool many, const LoadPicture& picture) {
+    const double at = curve.breakout.d_over_B, n = curve.breakout.load / curve.unit_load;
+    if (at <= 0) return {};
+    const std::string dot =
+        fmt::format("set label '' at {},{} point pt 7 ps 1.5 lc rgb '{}' front\n", at, n, series_colour(k));
+    if (many) return dot;
     const char* word = curve.breakout.kind == BreakoutKind::still_rising ? "still rising, " : "";
     // Before the curve's end below the dot, where no reference line is.
-    const char* side = curve.breakout.d_over_B > 0.5 * last ? "right offset -1,-3" : "left offset 1,0.8";
-    return fmt::format(
-        "set label {} at {},{} point pt 7 ps 1.6 lc rgb '{}' {} noenhanced textcolor '{}' "
-        "front\n",
-        literal(fmt::format("{}{:.2f} at d/B = {:.3f}", word, n, curve.breakout.d_over_B)),
-        curve.breakout.d_over_B, n, series_colour(k), side, series_colour(k));
+    const bool late = at > 0.5 * last_displacement(picture.curves);
+    return dot + fmt::format("set label {} at {},{} {} noenhanced textcolor '{}' front\n",
+                             literal(fmt::format("{}{:.2f} at d/B = {:.3f}", word, n, at)), at,
+                             late ? n : clear_of(picture.references, n),
+                             late ? "right offset -1,-3" : "left offset 1,0.8", series_colour(k));
 }
 
 std::string curve_item(const LoadCurve& curve, std::size_t k) {
@@ -119,7 +125,7 @@ Plot load_plot(const LoadPicture& picture) {
         items += (items.empty() ? "plot " : ", \\\n     ") + item;
     };
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
-        plot.script += breakout_label(picture.curves[k], k, many, last_displacement(picture.curves));
+        plot.script += breakout_label(picture.curves[k], k, many, picture);
         plot.data.emplace_back(file_name(k), rows(picture.curves[k], many ? bin : 0));
         add(curve_item(picture.curves[k], k));
     }
