@@ -22,7 +22,7 @@ graph::GateSettings gate_of(const scene::Gate& g) {
     graph::GateSettings out;
     out.active = g.active, out.strain = g.strain, out.stress_ratio = g.stress_ratio, out.tension = g.tension;
     out.distance = g.distance, out.spread = g.spread, out.work = g.second_order_work;
-    out.acoustic = g.acoustic, out.acoustic_from = g.acoustic_from, out.low = g.low;
+    out.acoustic = g.acoustic, out.acoustic_from = g.acoustic_from, out.low = g.low, out.flow = g.flow;
     return out;
 }
 

@@ -19,12 +19,20 @@ enum class Reason : std::uint8_t {
     acoustic_tensor,
     failed_answer,  // not finite, or absurd
     neighbour,      // of a point that was handed over
+    flow,           // back from its grains to the surrogate
 };
-inline constexpr std::size_t reason_count = 10;
-inline constexpr std::array<const char*, reason_count> reason_names = {
-    "none",          "strain",   "stress ratio",      "tension",
-    "distance",      "spread",   "second-order work", "acoustic tensor",
-    "failed answer", "neighbour"};
+inline constexpr std::size_t reason_count = 11;
+inline constexpr std::array<const char*, reason_count> reason_names = {"none",
+                                                                       "strain",
+                                                                       "stress ratio",
+                                                                       "tension",
+                                                                       "distance",
+                                                                       "spread",
+                                                                       "second-order work",
+                                                                       "acoustic tensor",
+                                                                       "failed answer",
+                                                                       "neighbour",
+                                                                       "flow"};
 
 // Where a surrogate must not be trusted. A point is handed over where a measure passes its threshold.
 struct GateSettings {
@@ -38,6 +46,7 @@ struct GateSettings {
     double acoustic = -1000;     // det of the acoustic tensor below it, share of the elastic one
     double acoustic_from = 0.9;  // q/p from which the acoustic tensor is looked at, share of sin(phi)
     double low = 0.5;            // share of a threshold from which the packing is made ready
+    double flow = 0;             // deviatoric strain from which the surrogate answers again; 0: never
 };
 
 // What the gate looks at after an answer.

@@ -12,13 +12,14 @@
 
 namespace sandgraph::graph {
 
-// Who answers for a point. Only onwards: surrogate -> ... -> grains.
+// Who answers for a point. Only onwards: surrogate -> ... -> grains -> flow.
 enum class PointMode : std::uint8_t {
     surrogate,  // the surrogate; the point's packing stands as it was at the start
     replay,     // the surrogate; the packing is being driven along the point's recorded path
     shadow,     // the surrogate; the packing has caught up and follows
     blending,   // the packing, with a rest of the stress jump at the switch
     grains,     // the packing
+    flow,       // the surrogate again, past the strain where sand flows; it has followed the grains
 };
 
 struct HandOverSettings {
@@ -38,7 +39,7 @@ struct ScreeningSetup {
     AuditSettings audit;
 };
 
-// One point handed from the surrogate to its grains.
+// One point handed from the surrogate to its grains, or back (Reason::flow).
 struct Switch {
     std::int64_t step = 0;
     double d_over_B = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graph/bearable.hpp"
 #include "graph/screening_law.hpp"
 #include "graph/stress_arithmetic.hpp"
 
@@ -10,22 +11,6 @@ namespace sandgraph::graph {
 namespace {
 
 constexpr double kLargestPiece = 0.1;  // strain of one update that catches up
-
-double largest_tension(const Stress& s) {
-    return 0.5 * (s.xx + s.yy) + std::hypot(0.5 * (s.xx - s.yy), s.xy);
-}
-
-// What of a fading jump sand can bear on top of its grains' stress: all, a half, a quarter ... or nothing,
-// such that nothing pulls.
-Stress bearable(const Stress& by_grains, Stress rest) {
-    for (int halvings = 0; halvings < 6; ++halvings) {
-        Stress sum = by_grains;
-        add(sum, rest);
-        if (largest_tension(sum) <= 0) return rest;
-        rest = {0.5 * rest.xx, 0.5 * rest.yy, 0.5 * rest.xy};
-    }
-    return {};
-}
 
 }  // namespace
 
@@ -113,6 +98,7 @@ dem::RveReport ScreeningLaw::advance(dem::Rve& rve, const Mat2& F_inc) {
 
 ScreeningLaw::Outcome ScreeningLaw::answer(std::int32_t p, const stress::Batch& batch) {
     Outcome out{advance(rves_[p], visits_.collected(p))};
+    if (setup_.gate.flow > 0) out.followed = follow(p);
     const Stress by_grains = tension_positive(rves_[p].stress());
     Stress now = by_grains;
     if (mode_[p] == PointMode::blending) blend_[p] = bearable(by_grains, blend_[p]);

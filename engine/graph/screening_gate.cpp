@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graph/acoustic.hpp"
+#include "graph/bearable.hpp"
 #include "graph/screening_law.hpp"
 #include "graph/stress_arithmetic.hpp"
 
@@ -41,7 +42,7 @@ void ScreeningLaw::settle_answer(std::size_t slot, const stress::Batch& batch) {
     Stress& s = batch.stress[p];
     const double floor = setup_.visits.pressure_floor;
     if (visits_.collected(p).allFinite()) F_[p] = visits_.collected(p) * F_[p];
-    if (mode_[p] != PointMode::shadow && !caught_up_[p]) paths_[p].add(F_[p]);
+    if (mode_[p] < PointMode::shadow && !caught_up_[p]) paths_[p].add(F_[p]);
     if (absurd(a, p, s)) {
         verdicts_[slot] = {1, Reason::failed_answer};
         visits_.answered(p, reference_pressure(s, floor), 1, setup_.visits);
@@ -51,6 +52,7 @@ void ScreeningLaw::settle_answer(std::size_t slot, const stress::Batch& batch) {
     const double reference = reference_pressure(a.stress, floor);
     visits_.answered(p, reference, norm(difference(a.stress, s)) / reference, setup_.visits);
     s = a.stress;
+    if (fade_left_[p] > 0) blend_[p] = bearable(s, blend_[p]), add(s, blend_[p]);
     if (const std::int32_t place = audit_of_[p]; place >= 0) {
         const Stress truth = tension_positive(audit_rves_[place].stress());
         audit_errors_[place] = norm(difference(s, truth)) / reference_pressure(truth, kAuditFloor);

@@ -15,6 +15,7 @@ void ScreeningLaw::hand_over(const stress::Batch& batch, const Surroundings& aro
     raise(around);
     replace_failed();
     switch_ready(batch, around.d_over_B);
+    if (setup_.gate.flow > 0) hand_back(batch, around.d_over_B);
     ++screening_.steps;
     screening_.dem_points += static_cast<double>(dem_points_);
     if (around.d_over_B < next_audit_) return;
@@ -84,13 +85,17 @@ void ScreeningLaw::switch_ready(const stress::Batch& batch, double d_over_B) {
 
 void ScreeningLaw::switch_point(std::int32_t p, const stress::Batch& batch, double d_over_B) {
     const Stress now = tension_positive(rves_[p].stress());
-    blend_[p] = difference(batch.stress[p], now);
-    fade_left_[p] = setup_.hand_over.blend_steps;
-    mode_[p] = PointMode::blending;
-    fading_.push_back(p);
+    start_fading(p, PointMode::blending, difference(batch.stress[p], now));
     ++dem_points_;
     const double jump = norm(blend_[p]) / reference_pressure(now, setup_.grains.visits().pressure_floor);
     switches_.push_back({screening_.steps, d_over_B, p, reason_[p], jump});
+}
+
+void ScreeningLaw::start_fading(std::int32_t p, PointMode mode, const Stress& jump) {
+    blend_[p] = jump;
+    fade_left_[p] = setup_.hand_over.blend_steps;
+    mode_[p] = mode;
+    fading_.push_back(p);
 }
 
 // sigma = sigma_DEM + w (sigma_surrogate - sigma_DEM at the switch), w: 1 -> 0 in equal steps.
@@ -104,9 +109,9 @@ void ScreeningLaw::fade(const stress::Batch& batch, const Surroundings& around) 
         const Stress part = {w * rest.xx, w * rest.yy, w * rest.xy};
         rest = difference(rest, part);
         batch.stress[p] = difference(batch.stress[p], part);
-        if (fade_left_[p] == 0) mode_[p] = PointMode::grains;
+        if (fade_left_[p] == 0 && mode_[p] == PointMode::blending) mode_[p] = PointMode::grains;
     }
-    std::erase_if(fading_, [&](std::int32_t p) { return mode_[p] == PointMode::grains; });
+    std::erase_if(fading_, [&](std::int32_t p) { return fade_left_[p] == 0; });
 }
 
 }  // namespace sandgraph::graph

@@ -68,22 +68,21 @@ void ScreeningLaw::update(const stress::Batch& batch) {
 }
 
 void ScreeningLaw::predict(const stress::Batch& batch) {
-    const VisitSettings by_grains = setup_.grains.visits();
+    const VisitSettings of_grains = setup_.grains.visits();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batch.points.size(), kPredictGrain),
                       [&](const auto& range) {
                           for (std::size_t k = range.begin(); k < range.end(); ++k)
-                              predict_point(batch.points[k], batch, by_grains);
+                              predict_point(batch.points[k], batch, of_grains);
                       });
 }
 
 void ScreeningLaw::predict_point(std::int32_t point, const stress::Batch& batch,
-                                 const VisitSettings& by_grains) {
-    const PointMode mode = mode_[point];
-    const bool grains = mode >= PointMode::blending;
+                                 const VisitSettings& of_grains) {
+    const bool grains = by_grains(static_cast<std::size_t>(point));
     const Mat2& F_inc = batch.F_inc[point];
     visits_.predict(point, row(point).moduli, F_inc, grains && rves_[point].floating(),
-                    grains ? by_grains : setup_.visits, batch.stress[point]);
-    if (mode == PointMode::blending) turn(blend_[point], F_inc);
+                    grains ? of_grains : setup_.visits, batch.stress[point]);
+    if (fade_left_[point] > 0) turn(blend_[point], F_inc);
 }
 
 void ScreeningLaw::ask(const stress::Batch&) {

@@ -33,7 +33,9 @@ class ScreeningLaw : public stress::Law {
     const ScreeningCounters& screening() const { return screening_; }
     std::int64_t dem_steps() const;  // of all packings, shadows and audits included
     PointMode mode(std::size_t point) const { return mode_[point]; }
-    bool by_grains(std::size_t point) const { return mode_[point] >= PointMode::blending; }
+    bool by_grains(std::size_t point) const {
+        return mode_[point] == PointMode::blending || mode_[point] == PointMode::grains;
+    }
     std::size_t grain_points() const { return dem_points_; }
     std::size_t size() const { return mode_.size(); }
     double porosity(std::size_t point) const;
@@ -52,16 +54,17 @@ class ScreeningLaw : public stress::Law {
         double expected_steps;
     };
     struct Outcome {
-        dem::RveReport report;
+        dem::RveReport report{};
         double error = 0;        // of the prediction (answer), share of p
         bool waited = false;     // it had been used (answer)
         bool caught_up = false;  // replay
+        Stress followed{};       // of the surrogate beside the packing (answer), where points may go back
     };
     void save(ByteWriter& out) const;
     void load(ByteReader& in);
     const RowPacking& row(std::int32_t point) const;
     const stress::PackingTraits& traits(std::int32_t point) const;
-    void predict_point(std::int32_t point, const stress::Batch& batch, const VisitSettings& by_grains);
+    void predict_point(std::int32_t point, const stress::Batch& batch, const VisitSettings& of_grains);
     void add_visit(std::int32_t point);
     void add_job(std::int32_t point, Task task, const dem::Rve& rve, double strain);
     dem::RveReport advance(dem::Rve& rve, const Mat2& F_inc);
@@ -71,6 +74,7 @@ class ScreeningLaw : public stress::Law {
     void record(std::size_t slot);
     Outcome answer(std::int32_t point, const stress::Batch& batch);
     Outcome replay(std::int32_t point);
+    Stress follow(std::int32_t point);
     void count(const Job& job, const Outcome& outcome);
     dem::RveReport drive_to_end(std::int32_t point);
 
@@ -86,12 +90,15 @@ class ScreeningLaw : public stress::Law {
     void switch_ready(const stress::Batch& batch, double d_over_B);
     void switch_point(std::int32_t point, const stress::Batch& batch, double d_over_B);
     void fade(const stress::Batch& batch, const Surroundings& around);
+    void hand_back(const stress::Batch& batch, double d_over_B);
+    bool goes_back(const Job& job, const Outcome& outcome) const;
+    void start_fading(std::int32_t point, PointMode mode, const Stress& jump);
 
     ScreeningSetup setup_;
     Visits visits_;
     std::vector<PointMode> mode_;
-    std::vector<Reason> reason_;     // by point: why it shall be handed over
-    std::vector<Mat2> F_;            // by point: since the start, at its last answer
+    std::vector<Reason> reason_;  // by point: why it shall be handed over
+    std::vector<Mat2> F_;  // by point: since the start, at its last answer (by grains: if they may go back)
     std::vector<StrainPath> paths_;  // by point
     std::vector<double> states_;     // of the surrogate [point x state_size]
     std::vector<dem::Rve> rves_;
@@ -114,7 +121,7 @@ class ScreeningLaw : public stress::Law {
     std::vector<std::uint8_t> caught_up_;                         // by point: in this step
     tbb::enumerable_thread_specific<dem::Workspace> workspaces_;  // scratch, no state
 
-    std::vector<std::int32_t> fading_;  // points in mode blending
+    std::vector<std::int32_t> fading_;  // points whose jump fades
     std::size_t dem_points_ = 0;
     double next_audit_ = 0;
     std::vector<AuditRow> audits_;

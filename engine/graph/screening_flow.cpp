@@ -1,0 +1,50 @@
+#include "base/byte_stream.hpp"
+#include "graph/screening_law.hpp"
+#include "graph/stress_arithmetic.hpp"
+
+// Where sand flows, one packing's stress is weather: twins of it part by more than the surrogate is off, and
+// these few points cost most of all DEM steps. Past GateSettings::flow a point goes back to the surrogate,
+// which has followed its strain all the while.
+namespace sandgraph::graph {
+namespace {
+
+void copy(const dem::Rve& from, dem::Rve& to) {
+    std::vector<std::uint8_t> bytes;
+    ByteWriter out(bytes);
+    from.save(out);
+    ByteReader in(bytes);
+    to.load(in);
+}
+
+}  // namespace
+
+// The surrogate beside a packing that answers: one point, so that the task that drives the packing can.
+Stress ScreeningLaw::follow(std::int32_t p) {
+    if (visits_.collected(p).allFinite()) F_[p] = visits_.collected(p) * F_[p];
+    stress::SurrogateAnswer answer;
+    setup_.surrogate->update({&p, 1}, visits_.collected(), states_, {&answer, 1});
+    return answer.stress;
+}
+
+bool ScreeningLaw::goes_back(const Job& job, const Outcome& outcome) const {
+    const std::int32_t p = job.point;
+    return job.task == Task::answer && mode_[p] == PointMode::grains && !failed(outcome.report.status) &&
+           !rves_[p].floating() && reason_[p] != Reason::failed_answer &&
+           deviatoric_strain(F_[p]) >= setup_.gate.flow && std::isfinite(norm(outcome.followed));
+}
+
+void ScreeningLaw::hand_back(const stress::Batch& batch, double d_over_B) {
+    for (std::size_t slot = 0; slot < jobs_.size(); ++slot) {
+        const std::int32_t p = jobs_[slot].point;
+        if (!goes_back(jobs_[slot], outcomes_[slot])) continue;
+        const Stress jump = difference(batch.stress[p], outcomes_[slot].followed);
+        start_fading(p, PointMode::flow, jump);
+        --dem_points_;
+        const double reference = reference_pressure(batch.stress[p], setup_.grains.visits().pressure_floor);
+        switches_.push_back({screening_.steps, d_over_B, p, Reason::flow, norm(jump) / reference});
+        // Its audit goes on with the grains that have answered till now.
+        if (const std::int32_t place = audit_of_[p]; place >= 0) copy(rves_[p], audit_rves_[place]);
+    }
+}
+
+}  // namespace sandgraph::graph
