@@ -43,14 +43,16 @@ void ScreeningLaw::settle_answer(std::size_t slot, const stress::Batch& batch) {
     const double floor = setup_.visits.pressure_floor;
     if (visits_.collected(p).allFinite()) F_[p] = visits_.collected(p) * F_[p];
     if (mode_[p] < PointMode::shadow && !caught_up_[p]) paths_[p].add(F_[p]);
-    if (absurd(a, p, s)) {
+    // A jump that fades lies on top of what the surrogate was predicted to answer.
+    const Stress predicted = difference(s, blend_[p]);
+    if (absurd(a, p, predicted)) {
         verdicts_[slot] = {1, Reason::failed_answer};
         visits_.answered(p, reference_pressure(s, floor), 1, setup_.visits);
         return;
     }
-    verdicts_[slot] = judge_answer(slot, s);
+    verdicts_[slot] = judge_answer(slot, predicted);
     const double reference = reference_pressure(a.stress, floor);
-    visits_.answered(p, reference, norm(difference(a.stress, s)) / reference, setup_.visits);
+    visits_.answered(p, reference, norm(difference(a.stress, predicted)) / reference, setup_.visits);
     s = a.stress;
     if (fade_left_[p] > 0) blend_[p] = bearable(s, blend_[p]), add(s, blend_[p]);
     if (const std::int32_t place = audit_of_[p]; place >= 0) {
