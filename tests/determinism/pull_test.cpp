@@ -2,6 +2,8 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 #include "graph/screening_law.hpp"
 #include "memory_archive.hpp"
 #include "small_pull.hpp"
@@ -48,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Pull, testing::Values(support::small_pull, suppo
                          [](const auto& mode) { return mode.index == 0 ? "Full" : "Screening"; });
 
 // Else the tests above would not see the hand-over.
-TEST(SmallScreeningPull, HandsPointsOver) {
+TEST(SmallScreeningPull, HandsPointsOverAndBack) {
     const auto pull = support::small_screening_pull();
     for (int k = 0; k < kSteps; ++k) pull->step();
     const auto& law = dynamic_cast<const graph::ScreeningLaw&>(*pull->state().law);
@@ -56,6 +58,8 @@ TEST(SmallScreeningPull, HandsPointsOver) {
     EXPECT_LT(law.grain_points(), law.size());
     EXPECT_GT(law.screening().replay_steps, 0);
     EXPECT_GT(law.audits().size(), 1u);
+    const auto back = [](const graph::Switch& s) { return s.reason == graph::Reason::flow; };
+    EXPECT_GT(std::ranges::count_if(law.switches(), back), 2);
 }
 
 }  // namespace

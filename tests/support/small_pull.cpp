@@ -60,7 +60,7 @@ std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
         const double p = mean_stress(tension_positive(row.packing->stress));
         setup.traits.push_back({p, 0.16, row.moduli.bulk, row.moduli.shear, 3.5, 0, 0, 0.5});
     }
-    setup.gate.strain = 5e-5;
+    setup.gate.strain = 5e-5, setup.gate.flow = 2e-4;
     setup.hand_over.blend_steps = 20;
     setup.audit = {0.25, 1, 1e-4};
     return std::make_unique<graph::ScreeningLaw>(std::move(setup));
