@@ -46,7 +46,7 @@ struct GateSettings {
     double acoustic = -1000;     // det of the acoustic tensor below it, share of the elastic one
     double acoustic_from = 0.9;  // q/p from which the acoustic tensor is looked at, share of sin(phi)
     double low = 0.5;            // share of a threshold from which the packing is made ready
-    double flow = 0;             // deviatoric strain from which the surrogate answers again; 0: never
+    double flow = 0.1;           // deviatoric strain from which the surrogate answers again; 0: never
 };
 
 // What the gate looks at after an answer.

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "base/byte_stream.hpp"
 #include "graph/screening_law.hpp"
 #include "graph/stress_arithmetic.hpp"
@@ -16,28 +18,33 @@ void copy(const dem::Rve& from, dem::Rve& to) {
     to.load(in);
 }
 
+// A NaN compares as false.
+bool usable(const stress::SurrogateAnswer& answer, double largest_spread) {
+    return std::isfinite(norm(answer.stress)) && answer.spread <= largest_spread;
+}
+
 }  // namespace
 
 // The surrogate beside a packing that answers: one point, so that the task that drives the packing can.
-Stress ScreeningLaw::follow(std::int32_t p) {
+stress::SurrogateAnswer ScreeningLaw::follow(std::int32_t p) {
     if (visits_.collected(p).allFinite()) F_[p] = visits_.collected(p) * F_[p];
     stress::SurrogateAnswer answer;
     setup_.surrogate->update({&p, 1}, visits_.collected(), states_, {&answer, 1});
-    return answer.stress;
+    return answer;
 }
 
 bool ScreeningLaw::goes_back(const Job& job, const Outcome& outcome) const {
     const std::int32_t p = job.point;
     return job.task == Task::answer && mode_[p] == PointMode::grains && !failed(outcome.report.status) &&
            !rves_[p].floating() && reason_[p] != Reason::failed_answer &&
-           deviatoric_strain(F_[p]) >= setup_.gate.flow && std::isfinite(norm(outcome.followed));
+           deviatoric_strain(F_[p]) >= setup_.gate.flow && usable(outcome.followed, setup_.gate.spread);
 }
 
 void ScreeningLaw::hand_back(const stress::Batch& batch, double d_over_B) {
     for (std::size_t slot = 0; slot < jobs_.size(); ++slot) {
         const std::int32_t p = jobs_[slot].point;
         if (!goes_back(jobs_[slot], outcomes_[slot])) continue;
-        const Stress jump = difference(batch.stress[p], outcomes_[slot].followed);
+        const Stress jump = difference(batch.stress[p], outcomes_[slot].followed.stress);
         start_fading(p, PointMode::flow, jump);
         --dem_points_;
         const double reference = reference_pressure(batch.stress[p], setup_.grains.visits().pressure_floor);

@@ -25,6 +25,7 @@ ScreeningLaw::ScreeningLaw(ScreeningSetup setup)
     : setup_(std::move(setup)), visits_(setup_.grains.row_of_point.size()) {
     const std::size_t n = visits_.size();
     const bool all_grains = setup_.gate.active && setup_.gate.strain <= 0;
+    if (all_grains) setup_.gate.flow = 0;
     mode_.assign(n, all_grains ? PointMode::grains : PointMode::surrogate);
     dem_points_ = all_grains ? n : 0;
     reason_.assign(n, Reason::none);

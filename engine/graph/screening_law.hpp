@@ -58,7 +58,8 @@ class ScreeningLaw : public stress::Law {
         double error = 0;        // of the prediction (answer), share of p
         bool waited = false;     // it had been used (answer)
         bool caught_up = false;  // replay
-        Stress followed{};       // of the surrogate beside the packing (answer), where points may go back
+        stress::SurrogateAnswer
+            followed{};  // of the surrogate beside the packing (answer), where points may go back
     };
     void save(ByteWriter& out) const;
     void load(ByteReader& in);
@@ -74,7 +75,7 @@ class ScreeningLaw : public stress::Law {
     void record(std::size_t slot);
     Outcome answer(std::int32_t point, const stress::Batch& batch);
     Outcome replay(std::int32_t point);
-    Stress follow(std::int32_t point);
+    stress::SurrogateAnswer follow(std::int32_t point);
     void count(const Job& job, const Outcome& outcome);
     dem::RveReport drive_to_end(std::int32_t point);
 

@@ -43,7 +43,8 @@ void add_gate_keys(KeyTable& keys, Gate& g, bool in_use) {
          "q/p from which the acoustic tensor is looked at, share of sin(phi)");
     real("low", g.low, "", above_up_to(0, 1), "share of a threshold from which the packing is made ready");
     real("flow", g.flow, "", at_least(0),
-         "deviatoric strain past which sand flows and the surrogate answers again; 0: never");
+         "deviatoric strain past which sand flows and the surrogate answers again; 0: never, grains to the "
+         "end");
     whole("dilate", g.dilate, 0, "cells around a point past the gate that are handed over with it");
     whole("blend_steps", g.blend_steps, 1, "steps over which the stress jump of a hand-over fades");
     whole("replay_steps", g.replay_steps, 1, "DEM steps by which a packing catches up at each step");

@@ -21,7 +21,7 @@ struct Gate {
     double second_order_work = -0.1;
     double acoustic = -1000, acoustic_from = 0.9;
     double low = 0.5;
-    double flow = 0;
+    double flow = 0.1;
     int dilate = 1;
     int blend_steps = 200, replay_steps = 50;
     double path_error = 0.02;

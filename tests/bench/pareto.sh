@@ -7,7 +7,7 @@ set -u
 here=$(cd "$(dirname "$0")/../.." && pwd)
 binary=${1:-$here/build/release/sandgraph} out=${2:-out/pareto}
 shift $(($# > 2 ? 2 : $#))
-gate=(--set gate.spread=1 --set gate.distance=2 --set gate.second_order_work=-10 --set gate.acoustic=-1e3
+gate=(--set gate.flow=0 --set gate.spread=1 --set gate.distance=2 --set gate.second_order_work=-10 --set gate.acoustic=-1e3
     --set gate.stress_ratio=3 --set anchor.pull_to=0.1 --set "output.frames=[0,0.01,0.02,0.04,0.06,0.1]")
 study() {
     local name=$1 scene=$here/configs/paper/$2.toml
