@@ -75,7 +75,8 @@ void all_at_once(Effort effort, Findings& found) {
     found.driven = "plate 1 m deep; thresholds that every point passes in its first steps";
     GroundSpec spec = ground_spec(effort);
     spec.screening = [](graph::ScreeningSetup& setup) {
-        setup.gate.strain = 1e-9, setup.hand_over.dilate = 1000, setup.hand_over.replay_steps = 100'000;
+        setup.gate.strain = 1e-9, setup.gate.flow = 0, setup.hand_over.dilate = 1000,
+        setup.hand_over.replay_steps = 100'000;
         setup.visits.tolerance = 1e-9, setup.visits.change_max = 1e-9;
     };
     Ground ground(spec);
