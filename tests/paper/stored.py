@@ -61,6 +61,12 @@ class Results:
         load = self.case(case, d)["load"]
         return self.interpolated(load["d_over_B"], load["n"], d)
 
+    def n_between(self, case, start, end):
+        """Mean of the stored loads from d/B = start to end, in units of B gamma H."""
+        load = self.case(case, end)["load"]
+        values = [n for d, n in zip(load["d_over_B"], load["n"]) if start - 1e-3 <= d <= end + 1e-3]
+        return sum(values) / len(values)
+
     def pattern(self, case, column, d):
         pattern = self.case(case, d)["pattern"]
         k = min(range(len(pattern["d_over_B"])), key=lambda i: abs(pattern["d_over_B"][i] - d))
