@@ -2,20 +2,38 @@
 import json
 
 
+def stored(folder, kind):
+    return {f.stem: json.loads(f.read_text()) for f in sorted((folder / kind).glob("*.json"))}
+
+
 def summaries(folder, kind):
-    return {f.stem: json.loads(f.read_text())["summary"] for f in sorted((folder / kind).glob("*.json"))}
+    return {name: result["summary"] for name, result in stored(folder, kind).items()}
+
+
+def mean_n(result, start, end):
+    values = [n for d, n in zip(result["load"]["d_over_B"], result["load"]["n"]) if start <= d <= end]
+    return sum(values) / len(values)
+
+
+def load_ratio(screening, full):
+    """Of loads near full fidelity's peak; of the last that both have where screening stopped before. With the d/B."""
+    at = min(full["summary"]["peak_d_over_B"], screening["reached"], full["reached"])
+    span = (at - 0.011, at + 0.011)
+    return mean_n(screening, *span) / mean_n(full, *span), at
 
 
 def screening_table(folder):
-    print(f"{'case':<14}{'N full':>8}{'N screening':>13}{'off':>8}{'d/B full':>10}{'screening':>11}{'cpu full':>10}{'screening':>11}"
-          f"{'audit, share of p':>20}")
-    full, screening = summaries(folder, "full"), summaries(folder, "screening")
+    print(f"{'case':<14}{'N full':>8}{'N screening':>13}{'off':>8}{'d/B full':>10}{'screening':>11}{'load there':>12}{'cpu full':>10}"
+          f"{'screening':>11}{'audit, share of p':>20}")
+    full, screening = stored(folder, "full"), stored(folder, "screening")
     for name in sorted(full.keys() & screening.keys()):
-        a, b = full[name], screening[name]
+        a, b = full[name]["summary"], screening[name]["summary"]
         audit = b.get("audit", {})
+        ratio, at = load_ratio(screening[name], full[name])
         print(f"{name:<14}{a['n_gamma']:>8.2f}{b['n_gamma']:>13.2f}{100 * (b['n_gamma'] / a['n_gamma'] - 1):>+7.1f}%"
-              f"{a['peak_d_over_B']:>10.3f}{b['peak_d_over_B']:>11.3f}{a['cpu_s']:>9.0f}s{b['cpu_s']:>10.0f}s"
-              f"{audit.get('stress_error_mean', float('nan')):>12.3f} +- {audit.get('ci95', float('nan')):.3f}")
+              f"{a['peak_d_over_B']:>10.3f}{b['peak_d_over_B']:>11.3f}{100 * (ratio - 1):>+11.1f}%{a['cpu_s']:>9.0f}s{b['cpu_s']:>10.0f}s"
+              f"{audit.get('stress_error_mean', float('nan')):>12.3f} +- {audit.get('ci95', float('nan')):.3f}"
+              + (f"  (load at d/B {at:.2f})" if at < a["peak_d_over_B"] - 1e-3 else ""))
 
 
 def cost_table(folder):

@@ -5,7 +5,7 @@
     tests/paper/verdicts.py --write    and stores it as results/table.csv
     tests/paper/verdicts.py --check    is results/table.csv what the stored results give?
     tests/paper/verdicts.py --markdown
-    tests/paper/verdicts.py --screening   peak of every case run both ways: full fidelity, and the surrogate everywhere
+    tests/paper/verdicts.py --screening   peak, and load at the same d/B, of every case run both ways
     tests/paper/verdicts.py --cost        wall and processor time of every stored run, and of all together
 
 statements.json holds for each statement what the paper says, an expression over the results (stored.py), and how near
