@@ -37,12 +37,20 @@ mkdir -p "$bin/executed"
 # Column $2 of the account of reader $1, summed.
 sum() { awk -F, -v c="$2" '{ s += $c } END { print s + 0 }' "$bin/executed/$1" 2>/dev/null || echo 0; }
 
+# In a fresh build folder the table is the account: what it counts was executed, though its corpus is gone.
+recall() {
+    [ -e "$bin/executed/$1" ] ||
+        awk -F'|' -v reader=" $1 " '$2 == reader && $4 > 0 { print $3 + 0 "," $3 / $4 "," $6 + 0 }' \
+            "$here/results.md" >"$bin/executed/$1"
+    [ -s "$bin/executed/$1" ] || rm "$bin/executed/$1"
+    mkdir -p "$bin/corpus/$1"
+}
+
 number() { sed -n "s/^stat::$2: *//p" "$1" | tail -1; }
 
 # One process of the campaign: adds `executions,processor seconds,findings` to the account.
 run_part() {
     local reader=$1 runs=$2 corpus=$bin/corpus/$1 log=$bin/executed/$1.log found=0 seconds TIMEFORMAT="%U %S"
-    mkdir -p "$corpus"
     "$bin/tests/fuzz/fuzz_$reader" --sample "$corpus/sample"
     local longest=$(($(stat -c %s "$corpus/sample") * 5 / 4 + 4096)) seeds=("$corpus")
     [ ! -d "$here/findings/$reader" ] || seeds+=("$here/findings/$reader")
@@ -61,6 +69,7 @@ table() {
     echo "Written by \`tests/fuzz/run.sh\`: clang's libFuzzer with AddressSanitizer and UBSan. Bounds of one input:"
     echo "256 MiB in one allocation, 2 GiB in all, 10 s. Findings: parts of the campaign that ended with one, mended or not;"
     echo "what was mended stands in \`tests/fuzz/findings\` and is read by every build (\`ctest -R fuzz:\`)."
+    echo "Inputs kept: in the corpus of the build folder at hand; executions of earlier ones are counted, too."
     echo
     echo "| reader | executions | a second of one core | inputs kept | findings |"
     echo "|---|---|---|---|---|"
@@ -74,6 +83,7 @@ table() {
     done
 }
 
+for reader in "${all[@]}"; do recall "$reader"; done
 stop=no
 trap 'stop=yes' INT TERM # after the part under way
 for reader in "${readers[@]}"; do
