@@ -56,12 +56,14 @@ void ScreeningLaw::drive(const stress::Batch& batch) {
     for (std::size_t slot = 0; slot < jobs_.size(); ++slot) count(jobs_[slot], outcomes_[slot]);
 }
 
-// Records are owned by slot, so that their order hangs on no thread.
+// Records are owned by slot, so that their order hangs on no thread. A point that went to its grains and came
+// back has a gap in what its second packing was driven through: its history is over.
 void ScreeningLaw::assign_records() {
     record_of_.assign(jobs_.size(), -1);
     std::int32_t count = 0;
     for (std::size_t slot = 0; slot < jobs_.size() && watching_; ++slot)
-        if (jobs_[slot].task == Task::audit) record_of_[slot] = count++;
+        if (jobs_[slot].task == Task::audit && mode_[jobs_[slot].point] != PointMode::flow)
+            record_of_[slot] = count++;
     watched_.resize(static_cast<std::size_t>(count));
 }
 

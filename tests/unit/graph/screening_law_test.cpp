@@ -174,6 +174,12 @@ TEST(ScreeningLaw, TheAuditOfAPointThatFlowsGoesOn) {
     shear(bench, 900), shear(reference, 900);
     ASSERT_EQ(bench.law.mode(2), PointMode::flow);
     EXPECT_NEAR(bench.law.audited_error(2), share(bench.stress[2], reference.stress[2]), 0.02);
+    const auto of_it = [](const RveUpdate& u) { return u.point == 2; };
+    bench.law.watch_audits();
+    for (int k = 0; k < 100; ++k) {
+        shear(bench, 1);
+        EXPECT_TRUE(std::ranges::none_of(bench.law.watched_updates(), of_it)) << "its log has a gap";
+    }
 }
 
 TEST(ScreeningLaw, AuditsChangeNoBitOfTheGround) {
