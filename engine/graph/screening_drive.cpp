@@ -15,7 +15,7 @@ constexpr double kLargestPiece = 0.1;  // strain of one update that catches up
 }  // namespace
 
 void ScreeningLaw::route(const stress::Batch& batch) {
-    asked_.clear(), jobs_.clear();
+    asked_.clear(), followed_.clear(), jobs_.clear();
     for (const std::int32_t p : batch.points) {
         if (visits_.due(p))
             add_visit(p);
@@ -28,7 +28,10 @@ void ScreeningLaw::route(const stress::Batch& batch) {
 
 void ScreeningLaw::add_visit(std::int32_t p) {
     const double strain = strain_norm(visits_.collected(p));
-    if (by_grains(p)) return add_job(p, Task::answer, rves_[p], strain);
+    if (by_grains(p)) {
+        if (setup_.gate.flow > 0) followed_.push_back(p);
+        return add_job(p, Task::answer, rves_[p], strain);
+    }
     asked_.push_back(p);
     if (mode_[p] == PointMode::replay) add_job(p, Task::replay, rves_[p], strain);
     if (mode_[p] == PointMode::shadow) add_job(p, Task::follow, rves_[p], strain);
@@ -53,7 +56,17 @@ void ScreeningLaw::drive(const stress::Batch& batch) {
                 outcomes_[slot] = run(jobs_[slot], batch), record(slot);
         },
         tbb::simple_partitioner());
-    for (std::size_t slot = 0; slot < jobs_.size(); ++slot) count(jobs_[slot], outcomes_[slot]);
+}
+
+// What the surrogate reads while the packings are driven is settled after both.
+void ScreeningLaw::settle_grains() {
+    const VisitSettings settings = setup_.grains.visits();
+    for (std::size_t slot = 0; slot < jobs_.size(); ++slot) {
+        Outcome& out = outcomes_[slot];
+        if (jobs_[slot].task == Task::answer)
+            out.waited = visits_.answered(jobs_[slot].point, out.reference, out.error, settings);
+        count(jobs_[slot], out);
+    }
 }
 
 // Records are owned by slot, so that their order hangs on no thread. A point that went to its grains and came
@@ -100,15 +113,12 @@ dem::RveReport ScreeningLaw::advance(dem::Rve& rve, const Mat2& F_inc) {
 
 ScreeningLaw::Outcome ScreeningLaw::answer(std::int32_t p, const stress::Batch& batch) {
     Outcome out{advance(rves_[p], visits_.collected(p))};
-    if (setup_.gate.flow > 0) out.followed = follow(p);
     const Stress by_grains = tension_positive(rves_[p].stress());
     Stress now = by_grains;
     if (mode_[p] == PointMode::blending) blend_[p] = bearable(by_grains, blend_[p]);
     add(now, blend_[p]);
-    const VisitSettings settings = setup_.grains.visits();
-    const double reference = reference_pressure(by_grains, settings.pressure_floor);
-    out.error = norm(difference(now, batch.stress[p])) / reference;
-    out.waited = visits_.answered(p, reference, out.error, settings);
+    out.reference = reference_pressure(by_grains, setup_.grains.visits().pressure_floor);
+    out.error = norm(difference(now, batch.stress[p])) / out.reference;
     batch.stress[p] = now;
     return out;
 }

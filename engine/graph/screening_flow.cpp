@@ -10,6 +10,9 @@
 namespace sandgraph::graph {
 namespace {
 
+// Members part more where sand flows, as twins of a packing do; a surrogate of noise parts by far more.
+constexpr double kFlowSpread = 3;  // times the gate's threshold
+
 void copy(const dem::Rve& from, dem::Rve& to) {
     std::vector<std::uint8_t> bytes;
     ByteWriter out(bytes);
@@ -25,26 +28,16 @@ bool usable(const stress::SurrogateAnswer& answer, double largest_spread) {
 
 }  // namespace
 
-// The surrogate beside a packing that answers: one point, so that the task that drives the packing can.
-stress::SurrogateAnswer ScreeningLaw::follow(std::int32_t p) {
-    if (visits_.collected(p).allFinite()) F_[p] = visits_.collected(p) * F_[p];
-    stress::SurrogateAnswer answer;
-    setup_.surrogate->update({&p, 1}, visits_.collected(), states_, {&answer, 1});
-    return answer;
-}
-
-bool ScreeningLaw::goes_back(const Job& job, const Outcome& outcome) const {
-    const std::int32_t p = job.point;
-    return job.task == Task::answer && mode_[p] == PointMode::grains && !failed(outcome.report.status) &&
-           !rves_[p].floating() && reason_[p] != Reason::failed_answer &&
-           deviatoric_strain(F_[p]) >= setup_.gate.flow && usable(outcome.followed, setup_.gate.spread);
+bool ScreeningLaw::goes_back(std::int32_t p, const stress::SurrogateAnswer& followed) const {
+    return mode_[p] == PointMode::grains && !rves_[p].floating() && reason_[p] != Reason::failed_answer &&
+           deviatoric_strain(F_[p]) >= setup_.gate.flow && usable(followed, kFlowSpread * setup_.gate.spread);
 }
 
 void ScreeningLaw::hand_back(const stress::Batch& batch, double d_over_B) {
-    for (std::size_t slot = 0; slot < jobs_.size(); ++slot) {
-        const std::int32_t p = jobs_[slot].point;
-        if (!goes_back(jobs_[slot], outcomes_[slot])) continue;
-        const Stress jump = difference(batch.stress[p], outcomes_[slot].followed.stress);
+    for (std::size_t slot = 0; slot < followed_.size(); ++slot) {
+        const std::int32_t p = followed_[slot];
+        if (!goes_back(p, follower_answers_[slot])) continue;
+        const Stress jump = difference(batch.stress[p], follower_answers_[slot].stress);
         start_fading(p, PointMode::flow, jump);
         --dem_points_;
         const double reference = reference_pressure(batch.stress[p], setup_.grains.visits().pressure_floor);

@@ -9,6 +9,9 @@
 namespace sandgraph::graph {
 
 void ScreeningLaw::hand_over(const stress::Batch& batch, const Surroundings& around) {
+    for (const std::int32_t p : followed_)
+        if (visits_.collected(p).allFinite()) F_[p] = visits_.collected(p) * F_[p];
+    settle_grains();
     fade(batch, around);
     settle_answers(batch);
     settle_replays();

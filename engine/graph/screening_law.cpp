@@ -87,12 +87,18 @@ void ScreeningLaw::predict_point(std::int32_t point, const stress::Batch& batch,
 }
 
 void ScreeningLaw::ask(const stress::Batch&) {
-    answers_.resize(asked_.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, asked_.size(), kAskGrain), [&](const auto& range) {
-        setup_.surrogate->update(std::span(asked_).subspan(range.begin(), range.size()), visits_.collected(),
-                                 states_, std::span(answers_).subspan(range.begin(), range.size()));
+    ask(asked_, answers_);
+    ask(followed_, follower_answers_);
+}
+
+void ScreeningLaw::ask(const std::vector<std::int32_t>& points,
+                       std::vector<stress::SurrogateAnswer>& answers) {
+    answers.resize(points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kAskGrain), [&](const auto& range) {
+        setup_.surrogate->update(std::span(points).subspan(range.begin(), range.size()), visits_.collected(),
+                                 states_, std::span(answers).subspan(range.begin(), range.size()));
     });
-    screening_.surrogate_updates += static_cast<std::int64_t>(asked_.size());
+    screening_.surrogate_updates += static_cast<std::int64_t>(points.size());
 }
 
 const RowPacking& ScreeningLaw::row(std::int32_t point) const {

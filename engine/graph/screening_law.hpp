@@ -58,8 +58,7 @@ class ScreeningLaw : public stress::Law {
         double error = 0;        // of the prediction (answer), share of p
         bool waited = false;     // it had been used (answer)
         bool caught_up = false;  // replay
-        stress::SurrogateAnswer
-            followed{};  // of the surrogate beside the packing (answer), where points may go back
+        double reference = 0;    // mean stress that shares are of (answer) [Pa]
     };
     void save(ByteWriter& out) const;
     void load(ByteReader& in);
@@ -75,12 +74,13 @@ class ScreeningLaw : public stress::Law {
     void record(std::size_t slot);
     Outcome answer(std::int32_t point, const stress::Batch& batch);
     Outcome replay(std::int32_t point);
-    stress::SurrogateAnswer follow(std::int32_t point);
     void count(const Job& job, const Outcome& outcome);
     dem::RveReport drive_to_end(std::int32_t point);
 
+    void settle_grains();
     void settle_answers(const stress::Batch& batch);
     void settle_answer(std::size_t slot, const stress::Batch& batch);
+    void ask(const std::vector<std::int32_t>& points, std::vector<stress::SurrogateAnswer>& answers);
     bool absurd(const stress::SurrogateAnswer& answer, std::int32_t point, const Stress& predicted) const;
     Verdict judge_answer(std::size_t slot, const Stress& predicted) const;
     double acoustic_share(std::int32_t point, const stress::Increment& e) const;
@@ -92,7 +92,7 @@ class ScreeningLaw : public stress::Law {
     void switch_point(std::int32_t point, const stress::Batch& batch, double d_over_B);
     void fade(const stress::Batch& batch, const Surroundings& around);
     void hand_back(const stress::Batch& batch, double d_over_B);
-    bool goes_back(const Job& job, const Outcome& outcome) const;
+    bool goes_back(std::int32_t point, const stress::SurrogateAnswer& followed) const;
     void start_fading(std::int32_t point, PointMode mode, const Stress& jump);
 
     ScreeningSetup setup_;
@@ -117,6 +117,8 @@ class ScreeningLaw : public stress::Law {
     std::vector<std::int32_t> asked_;               // of the surrogate, this step
     std::vector<stress::SurrogateAnswer> answers_;  // by slot of asked_
     std::vector<Verdict> verdicts_;                 // by slot of asked_
+    std::vector<std::int32_t> followed_;            // by grains, due in this step: the surrogate goes along
+    std::vector<stress::SurrogateAnswer> follower_answers_;  // by slot of followed_
     std::vector<Job> jobs_;
     std::vector<Outcome> outcomes_;                               // by slot of jobs_
     std::vector<std::uint8_t> caught_up_;                         // by point: in this step
