@@ -15,6 +15,7 @@ namespace {
 
 constexpr double largest_overlap = 0.5;  // of the smaller radius
 constexpr double smallest_sine = 1e-4;   // between the periods
+constexpr double longest = 1e6;          // period over the other one
 constexpr double widest = 100;    // largest radius over the smallest: time step and grid follow the smallest
 constexpr double farthest = 1e4;  // cells from the origin; image offsets are 16-bit
 
@@ -26,10 +27,13 @@ void check_cell(const Packing& p, const PackingSource& s) {
     const InputError::Where where{s.file, s.cell_line};
     if (!p.H.allFinite())
         throw InputError(where, "cell is not finite", "NaN or infinity in H", "give four numbers in m");
-    const double sides = p.H.col(0).norm() * p.H.col(1).norm();
+    const double a = p.H.col(0).norm(), b = p.H.col(1).norm(), sides = a * b;
     if (!(std::abs(p.area()) > smallest_sine * sides))
         throw InputError(where, "cell is singular", fmt::format("det H = {:g} m2", p.area()),
                          "give two periods that are not parallel");
+    if (std::max(a, b) > longest * std::min(a, b))
+        throw InputError(where, "cell is too long", fmt::format("periods of {:g} and {:g} m", a, b),
+                         "check the units of H");
     if (p.area() < 0)
         throw InputError(where, "cell is inverted", fmt::format("det H = {:g} m2 < 0", p.area()),
                          "swap its columns");

@@ -42,7 +42,7 @@ recall() {
     [ -e "$bin/executed/$1" ] ||
         awk -F'|' -v reader=" $1 " '$2 == reader && $4 > 0 { print $3 + 0 "," $3 / $4 "," $6 + 0 }' \
             "$here/results.md" >"$bin/executed/$1"
-    [ -s "$bin/executed/$1" ] || rm "$bin/executed/$1"
+    [ -s "$bin/executed/$1" ] || rm -f "$bin/executed/$1"
     mkdir -p "$bin/corpus/$1"
 }
 

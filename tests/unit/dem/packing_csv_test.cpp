@@ -87,6 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"# {}\n# cell\n# 0.1 0 0\nid,x,y,r\n", ".csv:3:", "3 numbers for the cell"},
         Refusal{"# {}\n# cell\n# 0.1 0 0 0.1\n0,0.05,0.05,0.005\n", ".csv:4:", "column line is missing"},
         Refusal{"# {}\n# cell\n# 0.1 0.1 0.1 0.1\nid,x,y,r\n0,0,0,0.005\n", ".csv:3:", "cell is singular"},
+        Refusal{"# {}\n# cell\n# 3e72 0.04 5 0.01\nid,x,y,r\n0,0,0,0.005\n", ".csv:3:", "cell is too long"},
         Refusal{"# {}\n# cell\n# 0 0.1 0.1 0\nid,x,y,r\n0,0,0,0.005\n", ".csv:3:", "cell is inverted"},
         Refusal{"# {}\n# cell\n# nan 0 0 0.1\nid,x,y,r\n0,0,0,0.005\n", ".csv:3:", "cell is not finite"},
         Refusal{"# {}\n# cell\n# 0.004 0 0 0.1\nid,x,y,r\n0,0,0,0.005\n", ".csv:3:", "smaller than a grain"},
