@@ -64,6 +64,17 @@ class Results:
     def n_between(self, case, start, end):
         """Mean of the stored loads from d/B = start to end, in units of B gamma H."""
         load = self.case(case, end)["load"]
+        return self.mean_between(load, start, end)
+
+    def n_screened(self, case, start, end):
+        """The same of its screening run."""
+        result = self.find("screening", case)
+        if not result or result["reached"] < end - 2e-3:
+            raise NotRun(f"{case} by screening")
+        return self.mean_between(result["load"], start, end)
+
+    @staticmethod
+    def mean_between(load, start, end):
         values = [n for d, n in zip(load["d_over_B"], load["n"]) if start - 1e-3 <= d <= end + 1e-3]
         return sum(values) / len(values)
 
