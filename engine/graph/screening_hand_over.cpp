@@ -63,7 +63,8 @@ void ScreeningLaw::raise_neighbours(const std::vector<std::int32_t>& centres, co
         }
 }
 
-// A point whose answer cannot be used keeps the predicted stress for this step; its packing catches up now.
+// A point whose answer cannot be used keeps the predicted stress for this step; its packing catches up now
+// (that of one which flowed goes on from where it went back).
 void ScreeningLaw::replace_failed() {
     std::vector<std::int32_t> lost;
     for (std::size_t slot = 0; slot < asked_.size(); ++slot)
@@ -94,11 +95,12 @@ void ScreeningLaw::switch_point(std::int32_t p, const stress::Batch& batch, doub
     switches_.push_back({screening_.steps, d_over_B, p, reason_[p], jump});
 }
 
+// A point may be switched again before its last jump is gone; the new one holds what was left of it.
 void ScreeningLaw::start_fading(std::int32_t p, PointMode mode, const Stress& jump) {
+    if (fade_left_[p] == 0) fading_.push_back(p);
     blend_[p] = jump;
     fade_left_[p] = setup_.hand_over.blend_steps;
     mode_[p] = mode;
-    fading_.push_back(p);
 }
 
 // sigma = sigma_DEM + w (sigma_surrogate - sigma_DEM at the switch), w: 1 -> 0 in equal steps.

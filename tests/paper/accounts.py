@@ -1,6 +1,8 @@
 """Tables over the stored cases that are no verdicts: full fidelity beside the surrogate, and what the runs cost."""
 import json
 
+from stored import Results
+
 
 def stored(folder, kind):
     return {f.stem: json.loads(f.read_text()) for f in sorted((folder / kind).glob("*.json"))}
@@ -10,16 +12,11 @@ def summaries(folder, kind):
     return {name: result["summary"] for name, result in stored(folder, kind).items()}
 
 
-def mean_n(result, start, end):
-    values = [n for d, n in zip(result["load"]["d_over_B"], result["load"]["n"]) if start <= d <= end]
-    return sum(values) / len(values)
-
-
 def load_ratio(screening, full):
     """Of loads near full fidelity's peak; of the last that both have where screening stopped before. With the d/B."""
     at = min(full["summary"]["peak_d_over_B"], screening["reached"], full["reached"])
-    span = (at - 0.011, at + 0.011)
-    return mean_n(screening, *span) / mean_n(full, *span), at
+    span = (at - 0.01, at + 0.01)
+    return Results.mean_between(screening["load"], *span) / Results.mean_between(full["load"], *span), at
 
 
 def screening_table(folder):

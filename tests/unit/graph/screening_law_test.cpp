@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graph/stress_arithmetic.hpp"
-#include "tests/support/element_surrogate.hpp"
-#include "tests/support/public_packing.hpp"
+#include "tests/unit/graph/screening_bench.hpp"
 
 namespace sandgraph::graph {
 namespace {
@@ -27,55 +25,6 @@ class Breaking : public support::ElementSurrogate {
   private:
     double scale_;
 };
-
-ScreeningSetup setup_of(std::size_t points, double strain) {
-    ScreeningSetup s;
-    s.grains = {{}, {}, {support::public_packing()}, std::vector<std::int32_t>(points, 0)};
-    s.surrogate = std::make_shared<support::ElementSurrogate>();
-    s.traits = {support::public_traits()};
-    s.gate.strain = strain;
-    s.gate.stress_ratio = s.gate.spread = s.gate.distance = 1e9;
-    s.gate.work = s.gate.acoustic = -1e9;
-    s.audit.share = 0;
-    s.hand_over.blend_steps = 40;
-    return s;
-}
-
-template <class AnyLaw>
-struct Bench {
-    Bench(std::size_t points, AnyLaw made) : law(std::move(made)) {
-        for (std::size_t p = 0; p < points; ++p) {
-            ids.push_back(static_cast<std::int32_t>(p));
-            x.push_back(static_cast<double>(p)), y.push_back(0), volume.push_back(1);
-        }
-        F.assign(points, Mat2::Identity()), stress.resize(points);
-        law.initialise(batch());
-    }
-    stress::Batch batch() { return {ids, F, stress, 1e-4}; }
-    AnyLaw law;
-    std::vector<std::int32_t> ids;
-    std::vector<Mat2> F;
-    std::vector<Stress> stress;
-    std::vector<double> x, y, volume;
-};
-
-// Points strain the more the higher their id; the last one turns as well.
-template <class AnyLaw>
-void shear(Bench<AnyLaw>& b, int steps) {
-    for (std::size_t p = 0; p < b.F.size(); ++p) {
-        const double e = 2e-6 * static_cast<double>(p);
-        b.F[p] << 1 + e, 0, 0, 1 - e;
-    }
-    b.F.back()(0, 1) = 1e-6, b.F.back()(1, 0) = -1e-6;
-    for (int k = 0; k < steps; ++k) b.law.update(b.batch());
-}
-
-Bench<ScreeningLaw> screening(std::size_t points, const ScreeningSetup& setup) {
-    return {points, ScreeningLaw(setup)};
-}
-Bench<RveLaw> full(std::size_t points) { return {points, RveLaw(setup_of(points, 0).grains)}; }
-
-double share(const Stress& a, const Stress& b) { return norm(difference(a, b)) / mean_stress(b); }
 
 TEST(ScreeningLaw, StartsAtTheStressOfThePackings) {
     const auto bench = screening(2, setup_of(2, 1));
@@ -126,60 +75,6 @@ TEST(ScreeningLaw, TheStressDoesNotJumpWhereAPointIsHandedOver) {
     const double jump = bench.law.switches()[0].jump * 32e3;
     EXPECT_GT(jump, 0);
     EXPECT_LT(largest, 0.05 * jump + 0.03 * 32e3);
-}
-
-const Switch& last_switch(const ScreeningLaw& law, std::int32_t point) {
-    const auto of_point = [&](const Switch& s) { return s.point == point; };
-    return *std::find_if(law.switches().rbegin(), law.switches().rend(), of_point);
-}
-
-// At 7.2e-3 of strain it has been by grains from 2e-3 to 4e-3; 40 steps later nothing is left of the jump.
-TEST(ScreeningLaw, APointThatFlowsGoesBackToTheSurrogateThatHasFollowedIt) {
-    ScreeningSetup setup = setup_of(3, 2e-3), alone = setup;
-    setup.gate.flow = 4e-3, alone.gate.active = false;
-    auto bench = screening(3, setup), surrogate = screening(3, alone);
-    shear(bench, 800), shear(surrogate, 800);
-    ASSERT_EQ(bench.law.mode(2), PointMode::flow);
-    EXPECT_EQ(last_switch(bench.law, 2).reason, Reason::flow);
-    EXPECT_FALSE(bench.law.by_grains(2));
-    const std::int64_t paid = bench.law.dem_steps();
-    bench.F[1] = Mat2::Identity(), shear(surrogate, 100);
-    for (int k = 0; k < 100; ++k) bench.law.update(bench.batch());
-    EXPECT_EQ(bench.law.dem_steps(), paid);
-    EXPECT_LT(share(bench.stress[2], surrogate.stress[2]), 0.01);
-}
-
-TEST(ScreeningLaw, TheStressDoesNotJumpWhereAPointGoesBack) {
-    ScreeningSetup setup = setup_of(3, 2e-3);
-    setup.gate.flow = 4e-3;
-    auto bench = screening(3, setup);
-    double largest = 0;
-    for (int k = 0; k < 900; ++k) {
-        const Stress before = bench.stress[2];
-        shear(bench, 1);
-        largest = std::max(largest, norm(difference(bench.stress[2], before)));
-    }
-    ASSERT_EQ(last_switch(bench.law, 2).reason, Reason::flow);
-    double jumps = 0;
-    for (const Switch& s : bench.law.switches()) jumps += s.jump * 32e3;
-    EXPECT_LT(largest, 0.05 * jumps + 0.03 * 32e3);
-}
-
-// Its second packing takes over what its grains have been through.
-TEST(ScreeningLaw, TheAuditOfAPointThatFlowsGoesOn) {
-    ScreeningSetup setup = setup_of(3, 2e-3);
-    setup.gate.flow = 4e-3, setup.audit.share = 1;
-    auto bench = screening(3, setup);
-    auto reference = full(3);
-    shear(bench, 900), shear(reference, 900);
-    ASSERT_EQ(bench.law.mode(2), PointMode::flow);
-    EXPECT_NEAR(bench.law.audited_error(2), share(bench.stress[2], reference.stress[2]), 0.02);
-    const auto of_it = [](const RveUpdate& u) { return u.point == 2; };
-    bench.law.watch_audits();
-    for (int k = 0; k < 100; ++k) {
-        shear(bench, 1);
-        EXPECT_TRUE(std::ranges::none_of(bench.law.watched_updates(), of_it)) << "its log has a gap";
-    }
 }
 
 TEST(ScreeningLaw, AuditsChangeNoBitOfTheGround) {
