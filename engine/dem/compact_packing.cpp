@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "dem/fast_kernel.hpp"
 #include "dem/fast_packing.hpp"
 #include "dem/neighbour_list.hpp"
 
@@ -23,18 +24,15 @@ std::shared_ptr<const GrainSet> grain_set(const FastState& s) {
     return set;
 }
 
-void unpack_grains(const CompactPacking& p, FastState& s) {
-    const GrainSet& set = *p.grains;
-    const int n = static_cast<int>(set.radius.size());
+// Masses are the same from visit to visit as long as the packings share their grains.
+void take_masses(const std::shared_ptr<const GrainSet>& set, FastState& s) {
+    if (s.masses_of == set) return;
+    const int n = static_cast<int>(set->radius.size());
     if (s.grains != n) resize_grains(s, n);
-    for (int g = 0; g < n; ++g) {
-        const double* x = &p.position[2 * g];
-        const float* v = &p.velocity[3 * g];
-        set_grain(s.grain(g), x[0], x[1], v[0], v[1], set.radius[g], v[2]);
-    }
-    std::copy(set.inverse_mass.begin(), set.inverse_mass.end(), s.inverse_mass.begin());
-    std::copy(set.inverse_inertia.begin(), set.inverse_inertia.end(), s.inverse_inertia.begin());
-    s.radius_max = set.radius_max;
+    std::copy(set->inverse_mass.begin(), set->inverse_mass.end(), s.inverse_mass.begin());
+    std::copy(set->inverse_inertia.begin(), set->inverse_inertia.end(), s.inverse_inertia.begin());
+    s.radius_max = set->radius_max;
+    s.masses_of = set;
 }
 
 }  // namespace
@@ -59,29 +57,26 @@ std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Mate
 }
 
 void unpack(const CompactPacking& p, FastState& s) {
-    unpack_grains(p, s);
+    take_masses(p.grains, s);
+    unpack_grains(p.position.data(), p.velocity.data(), p.grains->radius.data(), s.grains, s.record.data());
     s.pairs = p.pairs, s.slots = static_cast<int>(p.i.size()), s.inner = p.inner;
     s.i.assign(p.i.begin(), p.i.end()), s.j.assign(p.j.begin(), p.j.end());
     s.image.assign(p.image.begin(), p.image.end());
-    s.tangential.assign(p.tangential.begin(), p.tangential.end());
-    s.moment.assign(p.moment.begin(), p.moment.end());
+    s.tangential.resize(s.slots), s.moment.resize(s.slots);
+    widen(p.tangential.data(), s.slots, s.tangential.data());
+    widen(p.moment.data(), s.slots, s.moment.data());
     s.H = p.H, s.L = p.L, s.H_force = p.H_force, s.LH = p.LH, s.approach = p.approach;
 }
 
 void pack(const FastState& s, CompactPacking& p) {
     p.position.resize(2 * s.grains);
     p.velocity.resize(3 * s.grains);
-    for (int g = 0; g < s.grains; ++g) {
-        const double* a = s.grain(g);
-        double* x = &p.position[2 * g];
-        float* v = &p.velocity[3 * g];
-        x[0] = a[0], x[1] = a[1];
-        v[0] = float(a[2]), v[1] = float(a[3]), v[2] = float(a[6]);
-    }
+    pack_grains(s.record.data(), s.grains, p.position.data(), p.velocity.data());
     p.i.assign(s.i.begin(), s.i.end()), p.j.assign(s.j.begin(), s.j.end());
     p.image.assign(s.image.begin(), s.image.end());
-    p.tangential.assign(s.tangential.begin(), s.tangential.end());
-    p.moment.assign(s.moment.begin(), s.moment.end());
+    p.tangential.resize(s.slots), p.moment.resize(s.slots);
+    narrow(s.tangential.data(), s.slots, p.tangential.data());
+    narrow(s.moment.data(), s.slots, p.moment.data());
     p.pairs = s.pairs, p.inner = s.inner;
     p.H = s.H, p.L = s.L, p.H_force = s.H_force, p.LH = s.LH, p.approach = s.approach;
 }

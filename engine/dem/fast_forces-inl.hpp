@@ -17,14 +17,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Constants of the law in every lane.
 struct LawLanes {
     V young, ratio_dt, rolling, friction, rolling_limit;
-    bool total_rolling;
+    hn::Mask<D> total_rolling;
     LawLanes(const KernelConstants& k, double dt)
         : young(hn::Set(D(), 0.5 * k.young)),
           ratio_dt(hn::Set(D(), k.stiffness_ratio * dt)),
           rolling(hn::Set(D(), 0.25 * k.rolling_stiffness)),
           friction(hn::Set(D(), k.friction)),
           rolling_limit(hn::Set(D(), 0.5 * k.rolling_limit)),
-          total_rolling(k.total_rolling) {}
+          total_rolling(hn::Gt(hn::Set(D(), k.total_rolling ? 1.0 : 0.0), hn::Zero(D()))) {}
 };
 
 #if HWY_MAX_BYTES == 64
@@ -82,9 +82,32 @@ HWY_INLINE V Rolling(const Lanes& p, const Normal& n, const LawLanes& k, double*
     const V rolled = hn::NegMulAdd(kr_dt, p.dw, hn::Load(d, history));
     const V m = Limited(rolled, limit);
     const V kept = hn::IfThenElseZero(hn::Gt(n.overlap, hn::Zero(d)), rolled);
-    hn::Store(k.total_rolling ? kept : m, d, history);
+    hn::Store(hn::IfThenElse(k.total_rolling, kept, m), d, history);
     return m;
 }
+
+// Forces of a block: (fx, fy, even, odd) of each pair on a wide machine as two halves, each in the order of
+// its interleaved vectors, which the scatter joins on the way.
+#if HWY_MAX_BYTES == 64
+HWY_INLINE void StoreForces(V fx, V fy, V even, V odd, double* group) {
+    const D d;
+    hn::Store(hn::InterleaveLower(d, fx, fy), d, group);
+    hn::Store(hn::InterleaveUpper(d, fx, fy), d, group + 8);
+    hn::Store(hn::InterleaveLower(d, even, odd), d, group + 16);
+    hn::Store(hn::InterleaveUpper(d, even, odd), d, group + 24);
+}
+HWY_INLINE hn::Vec<D4> ForceOf(const double* group, int pair, std::size_t) {
+    const double* f = group + 8 * (pair % 2) + pair / 2 * 2;
+    return hn::Vec<D4>{_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(f)), _mm_load_pd(f + 16), 1)};
+}
+#else
+HWY_INLINE void StoreForces(V fx, V fy, V even, V odd, double* group) {
+    hn::StoreInterleaved4(fx, fy, even, odd, D(), group);
+}
+HWY_INLINE auto ForceOf(const double* group, int pair, std::size_t k) {
+    return hn::Load(D4(), group + 4 * pair + k);
+}
+#endif
 
 // The contact law on N lanes at once. Pairs that do not touch get f_n = 0, which also clears their history.
 template <bool kStress, class PairSource>
@@ -103,7 +126,7 @@ HWY_INLINE void ContactLaw(const PairSource& source, const Arrays& s, const LawL
         // parts, |d|/2 f_t on both and (r_j - r_i)/2 f_t + M with the sign of the grain.
         const V half_ft = hn::Mul(half, ft);
         const V even = hn::Mul(half_ft, n.dist), odd = hn::MulAdd(half_ft, p.r_diff, m);
-        hn::StoreInterleaved4(fx, fy, even, odd, d, force + 4 * c);
+        StoreForces(fx, fy, even, odd, force + 4 * c);
         if constexpr (kStress) {
             sum[0] = hn::MulAdd(p.dx, fx, sum[0]), sum[1] = hn::MulAdd(p.dx, fy, sum[1]);
             sum[2] = hn::MulAdd(p.dy, fx, sum[2]), sum[3] = hn::MulAdd(p.dy, fy, sum[3]);
@@ -117,10 +140,11 @@ HWY_INLINE void Scatter(const Arrays& s, int first, int count, const double* HWY
     alignas(32) static constexpr double kOnI[4] = {-1, -1, 1, -1};
     const std::uint16_t *HWY_RESTRICT pi = s.i + first, *HWY_RESTRICT pj = s.j + first;
     double* force = s.force;
-    for (int c = 0; c < count; ++c) {
+    for (int group = 0; group < count; group += FastState::kLanes) HWY_UNROLL(8)
+    for (int c = group; c < group + FastState::kLanes; ++c) {
         double *on_i = force + std::size_t{4} * pi[c], *on_j = force + std::size_t{4} * pj[c];
         for (std::size_t k = 0; k < 4; k += hn::Lanes(d)) {
-            const auto f = hn::Load(d, pair_force + 4 * c + k);
+            const auto f = ForceOf(pair_force + 4 * group, c - group, k);
             hn::Store(hn::MulAdd(f, hn::Load(d, kOnI + k), hn::Load(d, on_i + k)), d, on_i + k);
             hn::Store(hn::Add(f, hn::Load(d, on_j + k)), d, on_j + k);
         }

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "dem/fast_copy-inl.hpp"
 #include "dem/fast_forces-inl.hpp"
 #include "dem/fast_motion-inl.hpp"
 
@@ -18,6 +19,10 @@ HWY_EXPORT(ContactForcesAndStress);
 HWY_EXPORT(Kick);
 HWY_EXPORT(KickDrift);
 HWY_EXPORT(Drift);
+HWY_EXPORT(UnpackGrains);
+HWY_EXPORT(PackGrains);
+HWY_EXPORT(Widen);
+HWY_EXPORT(Narrow);
 HWY_EXPORT(TargetName);
 
 namespace {
@@ -54,6 +59,18 @@ double drift(FastState& state, const Mat2& L, double dt) {
     move_cell(state, L, dt);
     return speed2;
 }
+
+void unpack_grains(const double* position, const float* velocity, const double* radius, int grains,
+                   double* records) {
+    HWY_DYNAMIC_DISPATCH(UnpackGrains)(position, velocity, radius, grains, records);
+}
+
+void pack_grains(const double* records, int grains, double* position, float* velocity) {
+    HWY_DYNAMIC_DISPATCH(PackGrains)(records, grains, position, velocity);
+}
+
+void widen(const float* from, int count, double* to) { HWY_DYNAMIC_DISPATCH(Widen)(from, count, to); }
+void narrow(const double* from, int count, float* to) { HWY_DYNAMIC_DISPATCH(Narrow)(from, count, to); }
 
 std::string kernel_target() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
 

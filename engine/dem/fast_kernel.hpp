@@ -24,6 +24,16 @@ double kick_drift(FastState& state, const KernelConstants& k, const Mat2& L, dou
 // The jump to L and the move alone.
 double drift(FastState& state, const Mat2& L, double dt);
 
+// Records of the working state from positions [2 N: x, y], velocities [3 N: vx, vy, spin] and radii [N], and
+// back, rounding velocities to float.
+void unpack_grains(const double* position, const float* velocity, const double* radius, int grains,
+                   double* records);
+void pack_grains(const double* records, int grains, double* position, float* velocity);
+
+// Contact history, `count` a multiple of FastState::kLanes.
+void widen(const float* from, int count, double* to);
+void narrow(const double* from, int count, float* to);
+
 std::string kernel_target();  // the instruction set in use, e.g. "AVX3"
 
 // Those of the program that this machine can run, widest first.

@@ -32,16 +32,17 @@ HWY_INLINE V Damped(V a, V w, V half_dt, V alpha) {
 
 // Eight records.
 HWY_INLINE void LoadGrains(const double* records, V& x, V& y, V& vx, V& vy, V& r, V& w) {
-    V row[8], column[8];
-    for (int k = 0; k < 8; ++k) row[k] = hn::Load(D(), records + kRecord * k);
-    Transpose(row, column);
-    x = column[0], y = column[1], vx = column[2], vy = column[3], r = column[4], w = column[6];
+    V geometry[4], rotation[4], p[4], q[4];
+    for (int k = 0; k < 4; ++k) {
+        const double* a = records + kRecord * JoinedRow(k);
+        geometry[k] = Join(a, a + 2 * kRecord), rotation[k] = Join(a + 4, a + 2 * kRecord + 4);
+    }
+    Columns(geometry, p), Columns(rotation, q);
+    x = p[0], y = p[1], vx = p[2], vy = p[3], r = q[0], w = q[2];
 }
 HWY_INLINE void StoreGrains(V x, V y, V vx, V vy, V r, V w, double* records) {
-    const V column[8] = {x, y, vx, vy, r, hn::Mul(r, w), w, r};
-    V row[8];
-    Transpose(column, row);
-    for (int k = 0; k < 8; ++k) hn::Store(row[k], D(), records + kRecord * k);
+    StoreRows(x, y, vx, vy, records, kRecord);
+    StoreRows(r, hn::Mul(r, w), w, r, records + 4, kRecord);
 }
 
 #else

@@ -22,7 +22,7 @@ void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
 
 void resize_grains(FastState& s, int n) {
     const int room = padded(n + 1);
-    s.grains = n;
+    s.grains = n, s.masses_of.reset();
     s.record.assign(FastState::kRecord * room, 0), s.force.assign(4 * room, 0);
     s.inverse_mass.assign(room, 0), s.inverse_inertia.assign(room, 0);
     set_grain(s.grain(n), 0, 0, 0, 0, 1e-6, 0);

@@ -6,16 +6,11 @@
 #define SANDGRAPH_FAST_PAIRS_INL
 #endif
 
-#include "dem/fast_state.hpp"
+#include "dem/fast_transpose-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sandgraph::dem::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Lanes are capped at FastState::kLanes, the padding of every array.
-using D = hn::CappedTag<double, FastState::kLanes>;
-using V = hn::Vec<D>;
-using D4 = hn::CappedTag<double, 4>;
 
 inline constexpr int kBlock = 64;  // pairs at a time between law and scatter: the buffers stay in L1
 inline constexpr int kRecord = FastState::kRecord;
@@ -68,7 +63,7 @@ struct PairBuffers {
 // Sign of i in the record of a pair.
 alignas(64) inline constexpr double kSign[kRecord] = {-1, -1, -1, -1, 1, 1, -1, -1};
 
-// Numbers [k, k + lanes) of the record of pair c.
+// Numbers [k, k + lanes) of the record of pair c, where a vector holds no more than half a record.
 template <bool kWrapped>
 HWY_INLINE V PairRecord(const Arrays& s, const ImageTable& images, int c, std::size_t k) {
     const D d;
@@ -81,28 +76,6 @@ HWY_INLINE V PairRecord(const Arrays& s, const ImageTable& images, int c, std::s
 
 #if HWY_MAX_BYTES == 64
 
-// Four vectors of four blocks to the vectors of their first, second, third and fourth blocks. Highway has no
-// two-operand shuffle of blocks, and blends instead would cost a tenth of the loop.
-HWY_INLINE void TransposeBlocks(V a, V b, V c, V e, V* out) {
-    const __m512d ab = _mm512_shuffle_f64x2(a.raw, b.raw, 0x44),
-                  ab_upper = _mm512_shuffle_f64x2(a.raw, b.raw, 0xEE);
-    const __m512d ce = _mm512_shuffle_f64x2(c.raw, e.raw, 0x44),
-                  ce_upper = _mm512_shuffle_f64x2(c.raw, e.raw, 0xEE);
-    out[0] = V{_mm512_shuffle_f64x2(ab, ce, 0x88)}, out[2] = V{_mm512_shuffle_f64x2(ab, ce, 0xDD)};
-    out[4] = V{_mm512_shuffle_f64x2(ab_upper, ce_upper, 0x88)},
-    out[6] = V{_mm512_shuffle_f64x2(ab_upper, ce_upper, 0xDD)};
-}
-
-// Eight rows of eight to columns, or back.
-HWY_INLINE void Transpose(const V* row, V* column) {
-    const D d;
-    TransposeBlocks(hn::InterleaveLower(d, row[0], row[1]), hn::InterleaveLower(d, row[2], row[3]),
-                    hn::InterleaveLower(d, row[4], row[5]), hn::InterleaveLower(d, row[6], row[7]), column);
-    TransposeBlocks(hn::InterleaveUpper(d, row[0], row[1]), hn::InterleaveUpper(d, row[2], row[3]),
-                    hn::InterleaveUpper(d, row[4], row[5]), hn::InterleaveUpper(d, row[6], row[7]),
-                    column + 1);
-}
-
 template <bool kWrapped>
 struct PairSource {
     const Arrays& s;
@@ -110,11 +83,27 @@ struct PairSource {
     int first;
     PairSource(const Arrays& arrays, const ImageTable& table, int begin, int, PairBuffers&)
         : s(arrays), images(table), first(begin) {}
+
+    // Numbers [k, k + 4) of the records of pairs c and c + 2.
+    template <int k>
+    HWY_INLINE V Joined(int c) const {
+        const auto of = [&](const auto* index) HWY_ATTR {
+            return Join(s.record + std::size_t{kRecord} * index[c] + k,
+                        s.record + std::size_t{kRecord} * index[c + 2] + k);
+        };
+        const V pair = hn::MulAdd(Join(kSign + k, kSign + k), of(s.i), of(s.j));
+        if constexpr (!kWrapped) return pair;
+        return hn::Add(pair, Join(images.shift + std::size_t{kRecord} * s.image[c] + k,
+                                  images.shift + std::size_t{kRecord} * s.image[c + 2] + k));
+    }
     HWY_INLINE Lanes Load(int c) const {
-        V row[8], column[8];
-        for (int k = 0; k < 8; ++k) row[k] = PairRecord<kWrapped>(s, images, first + c + k, 0);
-        Transpose(row, column);
-        return {column[0], column[1], column[2], column[3], column[4], column[5], column[6], column[7]};
+        V geometry[4], rotation[4], p[4], q[4];
+        for (int k = 0; k < 4; ++k) {
+            const int pair = first + c + JoinedRow(k);
+            geometry[k] = Joined<0>(pair), rotation[k] = Joined<4>(pair);
+        }
+        Columns(geometry, p), Columns(rotation, q);
+        return {p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]};
     }
 };
 

@@ -1,12 +1,15 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include "base/tensor.hpp"
 #include "dem/aligned.hpp"
 #include "dem/material.hpp"
 
 namespace sandgraph::dem {
+
+struct GrainSet;
 
 // Working state of the fast kernel for one packing. A grain is one record (x, y, vx, vy, r, r w, w, r), a
 // cache line, so that a pair costs two loads and one subtraction of whole records.
@@ -18,7 +21,8 @@ struct FastState {
     int grains = 0;                                 // N
     Aligned<double> record;                         // [8 (N + pad)]
     Aligned<double> inverse_mass, inverse_inertia;  // [N + pad]; padding grains have 0
-    Aligned<double> force;                          // [4 (N + pad)]: fx, fy, and the torque in two parts
+    std::shared_ptr<const GrainSet> masses_of;  // whose masses these are, if a packing at rest was taken up
+    Aligned<double> force;                      // [4 (N + pad)]: fx, fy, and the torque in two parts
 
     double* grain(int g) { return &record[std::size_t{kRecord} * g]; }
     const double* grain(int g) const { return &record[std::size_t{kRecord} * g]; }

@@ -112,13 +112,25 @@ void ForceGather(FastState& s, const KernelConstants& k, double dt, GrainContact
             for (std::size_t part = 0; part < 4; part += hn::Lanes(d)) {
                 auto sum = hn::Zero(d);
                 for (int c = 0; c < group.contacts; ++c)
-                    sum = hn::MulAdd(hn::Load(d, &g.pair_force[4 * std::size_t(entry[c] / 2) + part]),
-                                     hn::Load(d, kOn + 4 * (entry[c] % 2) + part), sum);
+                    sum = hn::MulAdd(
+                        ForceOf(&g.pair_force[32 * std::size_t(entry[c] / 16)], entry[c] / 2 % 8, part),
+                        hn::Load(d, kOn + 4 * (entry[c] % 2) + part), sum);
                 hn::Store(sum, d, &s.force[4 * std::size_t{g.order[place]} + part]);
             }
 }
 
 #if HWY_MAX_BYTES == 64
+// Columns of eight records, `record(l)` where that of lane l lies.
+template <class Record>
+HWY_INLINE void RecordColumns(const Record& record, V* column) {
+    V geometry[4], rotation[4];
+    for (int k = 0; k < 4; ++k) {
+        const double *a = record(JoinedRow(k)), *b = record(JoinedRow(k) + 2);
+        geometry[k] = Join(a, b), rotation[k] = Join(a + 4, b + 4);
+    }
+    Columns(geometry, column), Columns(rotation, column + 4);
+}
+
 // Every lane is a grain that visits its own contacts: each pair is worked out twice, but nothing is
 // scattered.
 void GrainGather(FastState& s, const KernelConstants& k, double dt, GrainContacts& g) {
@@ -126,15 +138,14 @@ void GrainGather(FastState& s, const KernelConstants& k, double dt, GrainContact
     const ImageTable images(s);
     const LawLanes law(k, dt);
     for (std::size_t first = 0, at = 0; first < g.lanes_order.size(); first += 8) {
-        V row[8], own[8], sum[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-        for (int l = 0; l < 8; ++l) row[l] = hn::Load(d, s.grain(g.lanes_order[first + l]));
-        Transpose(row, own);
+        V own[8], sum[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+        RecordColumns([&](int l) { return s.grain(g.lanes_order[first + l]); }, own);
         for (int c = 0; c < g.lanes_contacts[first / 8]; ++c, at += 8) {
-            V other[8];
-            for (int l = 0; l < 8; ++l)
-                row[l] = hn::Add(hn::Load(d, s.grain(g.partner[at + l])),
-                                 hn::Load(d, images.shift + kRecord * std::size_t{g.partner_image[at + l]}));
-            Transpose(row, other);
+            V other[8], shift[8];
+            RecordColumns([&](int l) { return s.grain(g.partner[at + l]); }, other);
+            RecordColumns(
+                [&](int l) { return images.shift + kRecord * std::size_t{g.partner_image[at + l]}; }, shift);
+            for (int k = 0; k < 4; ++k) other[k] = hn::Add(other[k], shift[k]);
             const Lanes p{hn::Sub(other[0], own[0]), hn::Sub(other[1], own[1]), hn::Sub(other[2], own[2]),
                           hn::Sub(other[3], own[3]), hn::Add(other[4], own[4]), hn::Add(other[5], own[5]),
                           hn::Sub(other[6], own[6]), hn::Sub(other[7], own[7])};
