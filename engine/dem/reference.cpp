@@ -32,7 +32,7 @@ ReferenceAssembly::ReferenceAssembly(const Packing& p, const Material& material)
         r_max_ = std::max(r_max_, r_[g]);
         r_sum += r_[g];
     }
-    skin_ = 0.2 * r_sum / static_cast<double>(p.size());
+    skin_ = 0.1 * r_sum / static_cast<double>(p.size());
     rebuild_pairs();
     restore_history(p.contacts);
 }
@@ -66,8 +66,9 @@ void ReferenceAssembly::apply_forces(double dt) {
 
 void ReferenceAssembly::advance_pair(Pair& pair, double dt) {
     const auto [i, j, cx, cy] = pair.key;
-    Touch& t = pair.touch;
-    const Vec2 c(cx, cy), d = x_[j] + H_ * c - x_[i];
+    Touch t = pair.touch;
+    const bool wrapped = cx != 0 || cy != 0;
+    const Vec2 c(cx, cy), d = (wrapped ? Vec2(x_[j] + H_ * c) : x_[j]) - x_[i];
     const double radii = pair.constants.r_i + pair.constants.r_j;
     if (!t.touching && d.squaredNorm() > radii * radii) return;
     if (pair.restored) {
@@ -76,8 +77,11 @@ void ReferenceAssembly::advance_pair(Pair& pair, double dt) {
         t.f_t = t.f_t.x() * Vec2(n.y(), -n.x());
         pair.restored = false;
     }
-    const PairMotion motion{d, v_[j] - v_[i] + LH_ * c, spin_[i], spin_[j], dt * (spin_[j] - spin_[i])};
-    if (!advance(t, pair.constants, motion, tan_phi_, material_.rolling_form, dt)) return;
+    const Vec2 dv = v_[j] - v_[i];
+    const PairMotion motion{d, wrapped ? Vec2(dv + LH_ * c) : dv, spin_[i], spin_[j], dt * (spin_[j] - spin_[i])};
+    const bool touch = advance(t, pair.constants, motion, tan_phi_, material_.rolling_form, dt);
+    pair.touch = t;
+    if (!touch) return;
     const Vec2 f = t.f_n * t.n + t.f_t;
     force_[j] += f;
     force_[i] -= f;
