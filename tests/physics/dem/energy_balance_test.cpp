@@ -1,4 +1,4 @@
-#include "public_packing.hpp"
+#include "dissipation.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -100,6 +100,28 @@ TEST_P(EnergyBalance, FrictionAndDampingOnlyTake) {
         EXPECT_GT(taken, 0.2 * work);  // most of the work of a yielding sand is heat
         EXPECT_LT(taken, work);
     }
+}
+
+// Boundary work = stored + kinetic + heat, the heat counted contact by contact and grain by grain.
+TEST_P(EnergyBalance, WorkOnYieldingSandIsStoredMovesOrBecomesHeat) {
+    const Material material;
+    const auto sample = rest(material);
+    EnergyBooks books(*sample, material);
+    test::Dissipation heat(material);
+    const Mat2 L = matrix(0.5, 0, 0, -0.5);
+    books.follow(L, 2);
+    const double before = books.work() - books.stored() - books.kinetic();
+    test::Instant last(*sample);
+    for (int step = 0; step < 4000; ++step) {  // to 2 % isochoric
+        books.follow(L, 1);
+        test::Instant now(*sample);
+        heat.step(last, now, L);
+        last = std::move(now);
+    }
+    RecordProperty("share_open", std::to_string((books.dissipated() - before - heat.sum()) / books.work()));
+    EXPECT_NEAR(books.dissipated() - before, heat.sum(), 0.01 * books.work());
+    EXPECT_GT(heat.sliding, 0.2 * books.work());
+    EXPECT_GT(heat.damping, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernel, EnergyBalance, testing::Values(KernelKind::reference, KernelKind::fast),
