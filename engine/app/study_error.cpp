@@ -37,7 +37,7 @@ double scatter(std::span<const Stress> means, double floor) {
 StudyError study_error(std::span<const StudyRun> runs, std::span<const StudyRun> references,
                        const StrainHistory& history, double pressure_floor) {
     StudyError error;
-    std::vector<Stress> means;
+    std::vector<Stress> means, own;
     double sum = 0, count = 0;
     for (std::size_t seed = 0; seed < runs.size(); ++seed) {
         const auto run = compared(runs[seed], history), reference = compared(references[seed], history);
@@ -48,10 +48,13 @@ StudyError study_error(std::span<const StudyRun> runs, std::span<const StudyRun>
             error.pressure += mean_stress(reference[k]);
             error.max = std::max(error.max, share);
         }
-        if (history.window != 0) means.push_back(reference.front());
+        if (history.window != 0) means.push_back(reference.front()), own.push_back(run.front());
     }
     error.rms = std::sqrt(sum / count), error.pressure /= count;
     error.scatter = scatter(means, pressure_floor);
+    if (!means.empty())
+        error.of_means =
+            distance(mean(own), mean(means)) / std::max(mean_stress(mean(means)), pressure_floor);
     return error;
 }
 

@@ -13,6 +13,9 @@ struct StudyError {
     // Only past the peak: scatter of the reference's window means over the seeds (standard deviation, the
     // same share): what another sample of the same sand would change. 0 for one seed.
     double scatter = 0;
+    // Only past the peak: distance of the mean over the seeds from the reference's, the same share. By chance
+    // alone it comes to about scatter sqrt(2 / seeds).
+    double of_means = 0;
 };
 
 // `runs` and `references`: one a seed, in the same order.

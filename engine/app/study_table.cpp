@@ -38,14 +38,14 @@ std::vector<StudyRow> study_rows(const StrainHistory& history, const std::vector
 std::string study_csv(const std::vector<StudyRow>& rows) {
     std::string text =
         "history,key,value,strain_length,dem_steps,dem_steps_per_strain,share_of_peers,updates,error_rms,"
-        "error_max,seed_scatter,pressure_Pa,failures,wall_s\n";
+        "error_max,error_of_means,seed_scatter,pressure_Pa,failures,wall_s\n";
     for (const StudyRow& r : rows) {
         const double length = r.history.length();
         text += fmt::format(
-            "{},{},{:g},{:.6g},{:.0f},{:.6g},{:.6g},{:.1f},{:.6g},{:.6g},{:.6g},{:.4g},{:g},{:.4g}\n",
+            "{},{},{:g},{:.6g},{:.0f},{:.6g},{:.6g},{:.1f},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:g},{:.4g}\n",
             r.history.name, r.setting.key, r.setting.value, length, r.dem_steps, r.dem_steps / length,
-            r.of_peers, r.updates, r.error.rms, r.error.max, r.error.scatter, r.error.pressure, r.failures,
-            r.seconds);
+            r.of_peers, r.updates, r.error.rms, r.error.max, r.error.of_means, r.error.scatter,
+            r.error.pressure, r.failures, r.seconds);
     }
     return text;
 }
@@ -55,18 +55,18 @@ std::string study_text(const std::vector<StudyRow>& rows) {
     for (const StudyRow& r : rows) {
         if (r.history.name != history) {
             history = r.history.name;
-            text += fmt::format("\n{:<32}{:>11}{:>10}{:>9}{:>9}{:>9}{:>9}   (mean p {:.1f} kPa)\n", history,
-                                "DEM steps", "of peers", "rms %p", "max %p", "seeds %p", "wall s",
-                                r.error.pressure / 1000);
+            text += fmt::format("\n{:<32}{:>11}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}   (mean p {:.1f} kPa)\n",
+                                history, "DEM steps", "of peers", "rms %p", "max %p", "means %p", "seeds %p",
+                                "wall s", r.error.pressure / 1000);
         }
         const std::string name =
             r.setting.key + (r.setting.value == 0 && r.setting.key.find('_') == std::string::npos
                                  ? std::string()
                                  : fmt::format(" = {:g}", r.setting.value));
-        text +=
-            fmt::format("  {:<30}{:>11.0f}{:>10.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{}\n", name, r.dem_steps,
-                        r.of_peers, percent(r.error.rms), percent(r.error.max), percent(r.error.scatter),
-                        r.seconds, r.failures > 0 ? fmt::format("  {:g} failed", r.failures) : "");
+        text += fmt::format("  {:<30}{:>11.0f}{:>10.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{}\n", name,
+                            r.dem_steps, r.of_peers, percent(r.error.rms), percent(r.error.max),
+                            percent(r.error.of_means), percent(r.error.scatter), r.seconds,
+                            r.failures > 0 ? fmt::format("  {:g} failed", r.failures) : "");
     }
     return text;
 }

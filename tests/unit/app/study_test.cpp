@@ -105,6 +105,17 @@ TEST(StudyError, PastThePeakNoiseAboutTheSameMeanIsNoError) {
     EXPECT_LT(error.max, 1e-12);
     // Two seeds 10 kPa apart in both normal stresses: deviation 10 sqrt(2)/sqrt(2) kPa about 25 kPa.
     EXPECT_NEAR(error.scatter, 10.0 / 25, 1e-12);
+    EXPECT_NEAR(error.of_means, 0, 1e-12);
+}
+
+TEST(StudyError, PastThePeakPackingsThatChangePlacesKeepTheMean) {
+    StrainHistory history{"", 30e3, {}};
+    history.window = 50;
+    const std::vector<StudyRun> reference{constant_run(30000, 150), constant_run(20000, 150)},
+        swapped{reference[1], reference[0]}, low{reference[1], reference[1]};
+    EXPECT_GT(study_error(swapped, reference, history, 1000).rms, 0.3);
+    EXPECT_NEAR(study_error(swapped, reference, history, 1000).of_means, 0, 1e-12);
+    EXPECT_NEAR(study_error(low, reference, history, 1000).of_means, 5 * std::sqrt(2.0) / 25, 1e-12);
 }
 
 TEST(StudyRun, PeersRuleTakesTwoStepsAnIncrementAndMore) {
