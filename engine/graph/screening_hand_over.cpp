@@ -44,8 +44,9 @@ void ScreeningLaw::raise(const Surroundings& around) {
         if (level >= setup_.gate.low && mode_[p] == PointMode::surrogate) mode_[p] = PointMode::replay;
         if (level < 1 || reason_[p] == Reason::failed_answer) continue;
         // A neighbour that passes the gate itself raises its own neighbours; nobody does twice.
-        if (reason_[p] == Reason::none || reason_[p] == Reason::neighbour) centres.push_back(p);
-        if (reason_[p] == Reason::none || reason == Reason::failed_answer) reason_[p] = reason;
+        const bool first = reason_[p] == Reason::none || reason_[p] == Reason::neighbour;
+        if (first) centres.push_back(p);
+        if (first || reason == Reason::failed_answer) reason_[p] = reason;
     }
     if (setup_.hand_over.dilate > 0 && !centres.empty()) raise_neighbours(centres, around);
 }
