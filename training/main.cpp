@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
     app.add_option("--probes", command.probes, "history log made for the recipe");
     app.add_option("--evaluate", command.evaluate, "model to measure instead of training one");
     app.add_flag("--ladder", command.ladder, "trains and measures every rung");
+    app.add_flag("--measure", command.measure, "writes no model, its errors alone");
     CLI11_PARSE(app, argc, argv);
     try {
         return training::run(command);

@@ -12,6 +12,7 @@
 #include "surrogate/model_file.hpp"
 #include "training/element_law.hpp"
 #include "training/export_model.hpp"
+#include "training/known_traits.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -51,6 +52,7 @@ void tell(Rung rung, const EpochReport& report) {
 TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::string>& logs) {
     TrainingData data;
     data.set = read_histories(logs);
+    withhold_traits(data.set, spec.traits);
     data.split = split(data.set, spec);
     data.rule = {.least = spec.step_least,
                  .most = spec.step_most,

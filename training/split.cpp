@@ -30,6 +30,14 @@ std::vector<std::int64_t> take(std::vector<std::int64_t>& seeds, int count) {
     return taken;
 }
 
+// `count` of them, evenly spaced.
+void thin_out(std::vector<std::int64_t>& histories, std::size_t count) {
+    if (count == 0 || histories.size() <= count) return;
+    std::vector<std::int64_t> kept;
+    for (std::size_t k = 0; k < count; ++k) kept.push_back(histories[k * histories.size() / count]);
+    histories = std::move(kept);
+}
+
 }  // namespace
 
 Split split(const HistorySet& set, const scene::TrainSpec& spec) {
@@ -57,6 +65,7 @@ Split split(const HistorySet& set, const scene::TrainSpec& spec) {
         else
             split.training.push_back(k);
     }
+    thin_out(split.training, static_cast<std::size_t>(spec.histories));
     return split;
 }
 

@@ -50,8 +50,10 @@ void write_model(const scene::TrainSpec& spec, const TrainingData& data, const L
 void check_servable(const scene::TrainSpec& spec) {
     if (spec.rung == Rung::mlp || spec.rung == Rung::gru)
         throw InputError({spec.file}, fmt::format("model.rung = \"{}\"", name_of(spec.rung)),
-                         "the baselines are measured by --ladder only and cannot be served",
-                         "write rung = \"learned\"");
+                         "the baselines cannot be served", "write rung = \"learned\", or give --measure");
+    if (spec.traits != scene::TrainTraits::all)
+        throw InputError({spec.file}, "model.traits is not \"all\"", "served points tell all their traits",
+                         "write traits = \"all\", or give --measure");
 }
 
 // A model made before, on the histories that this recipe holds out.
@@ -74,7 +76,7 @@ int evaluate_only(const TrainingData& data, const std::string& file) {
 
 int run(const TrainCommand& command) {
     const scene::TrainSpec spec = scene::read_train(command.recipe);
-    check_servable(spec);
+    if (!command.measure) check_servable(spec);
     catch_interrupts();
     std::vector<std::string> logs = spec.logs;
     if (!command.probes.empty()) logs.push_back(command.probes);
@@ -95,7 +97,7 @@ int run(const TrainCommand& command) {
     }
     const auto floor = noise_floor(data.set, data.rule, spec.strain_max);
     tables.insert(tables.end(), floor.begin(), floor.end());
-    write_model(spec, data, *chosen->law, command.out);
+    if (!command.measure) write_model(spec, data, *chosen->law, command.out);
     const std::string again = fmt::format("sandgraph train {} -o {}", command.recipe, command.out);
     io::write_text(beside(command.out, ".card.json"),
                    model_card(spec, data, *chosen, tables, again, SANDGRAPH_REVISION));

@@ -7,6 +7,7 @@ struct TrainCommand {
     std::string recipe, out;
     std::string probes;    // a log beside those of the recipe; "": none
     bool ladder = false;   // train and measure every rung, write the recipe's
+    bool measure = false;  // train and measure, write no model: also for laws that cannot be served
     std::string evaluate;  // a model to measure on the held-out histories instead of training one; "": none
 };
 

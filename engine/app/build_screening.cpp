@@ -60,7 +60,8 @@ io::ScreeningRecord screening_record(const stress::Law& law) {
     if (!screening) return out;
     out.reasons.assign(graph::reason_names.begin(), graph::reason_names.end());
     for (const graph::Switch& s : screening->switches())
-        out.switches.push_back({s.step, s.d_over_B, s.point, static_cast<std::uint8_t>(s.reason), s.jump});
+        out.switches.push_back(
+            {s.step, s.d_over_B, s.point, static_cast<std::uint8_t>(s.reason), s.jump, s.felt, s.ordinary});
     for (const graph::AuditRow& a : screening->audits())
         out.audits.push_back({a.d_over_B, a.points, a.population, a.mean, a.ci95});
     return out;

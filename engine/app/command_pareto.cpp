@@ -39,13 +39,14 @@ int study(const ParetoRequest& request) {
 
 void add_pareto_command(CLI::App& app, int& exit_code) {
     auto a = std::make_shared<ParetoRequest>();
-    a->thresholds = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05};
+    a->thresholds = {"0.003:0", "0.003:0.3", "0.003:0.1", "0.003:0.03", "0.01:0.1", "0.01:0.03"};
     CLI::App* command = app.add_subcommand(
         "pareto", "speed against error: one scene at several gate thresholds, and at full fidelity");
     command->add_option("scene", a->run.scene, "TOML file")->required();
     command->add_option("-o,--out", a->run.folder, "folder of all runs, pareto.csv and pareto.png")
         ->required();
-    command->add_option("--thresholds", a->thresholds, "of gate.strain")->delimiter(',');
+    command->add_option("--thresholds", a->thresholds, "of gate.strain, or of gate.strain:gate.flow")
+        ->delimiter(',');
     command->add_option("--set", a->run.set, "section.key=value for all runs; may be repeated")
         ->allow_extra_args(false);
     command->add_option("--threads", a->run.threads, "default: all cores")->check(CLI::Range(1, 1024));

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 struct Options {
     std::string recipe, out, evaluate;
-    bool ladder = false;
+    bool ladder = false, measure = false;
 };
 
 // The trainer is a program of its own: libtorch costs every process that loads it a second and 160 MB.
@@ -56,6 +56,7 @@ void run(const Options& options) {
     if (!options.out.empty()) arguments.insert(arguments.end(), {"-o", options.out});
     if (!options.evaluate.empty()) arguments.insert(arguments.end(), {"--evaluate", options.evaluate});
     if (!probes.empty()) arguments.insert(arguments.end(), {"--probes", probes});
+    if (options.measure) arguments.emplace_back("--measure");
     if (options.ladder) arguments.emplace_back("--ladder");
     become(program, std::move(arguments));
 }
@@ -73,6 +74,8 @@ void add_train_command(CLI::App& app, int&) {
                                               "model to measure on the held-out histories; trains nothing");
     evaluate->check(CLI::ExistingFile)->excludes(out);
     train->add_flag("--ladder", options->ladder, "train and measure every rung, not only the recipe's");
+    train->add_flag("--measure", options->measure,
+                    "write the errors alone: for the baselines, and laws told less of their packings");
     train->callback([options] {
         if (options->out.empty() && options->evaluate.empty())
             throw CLI::RequiredError("one of --out and --evaluate");

@@ -109,6 +109,10 @@ void visit(const Comparison& c, Visit&& one) {
     one("dem_fraction_final", c.dem_share, "at its end");
     one("audit_stress_error_mean", c.audit_mean, "the run's own estimate, share of p");
     one("audit_ci95", c.audit_ci95, "half width of its 95 % interval");
+    one("jump_p95", c.jump_p95, "stress jump at hand-over, share of p");
+    one("jump_felt_p95", c.felt_p95, "largest step of the ground's stress while it fades, share of p");
+    one("ordinary_step_p95", c.ordinary_p95, "the same points' largest step after that, share of p");
+    one("replay_share", c.replay_share, "of its DEM steps: catching up at hand-over");
 }
 
 }  // namespace
@@ -126,6 +130,10 @@ Comparison compare_runs(const FinishedRun& reference, const FinishedRun& other) 
     out.cpu_ratio = reference.summary.cpu_s / other.summary.cpu_s;
     out.dem_share_mean = other.summary.dem_fraction_mean, out.dem_share = other.summary.dem_fraction_final;
     out.audit_mean = other.summary.audit.stress_error_mean, out.audit_ci95 = other.summary.audit.ci95;
+    out.jump_p95 = other.number("jump_p95"), out.felt_p95 = other.number("jump_felt_p95");
+    out.ordinary_p95 = other.number("ordinary_step_p95");
+    out.replay_share =
+        other.number("dem_steps_replay") / std::max(1.0, static_cast<double>(other.summary.dem_steps));
     return out;
 }
 

@@ -17,6 +17,10 @@ struct Comparison {
     double wall_ratio = 0, cpu_ratio = 0;      // reference's over the other's: how many times faster
     double dem_share_mean = 0, dem_share = 0;  // of the other: over the run, at its end
     double audit_mean = 0, audit_ci95 = 0;     // of the other; NaN without an audit
+    // Of the other's hand-overs, 95th percentiles, shares of p; NaN without any: the jump, its part that the
+    // ground feels in one step, and the same points' largest step after it.
+    double jump_p95 = 0, felt_p95 = 0, ordinary_p95 = 0;
+    double replay_share = 0;  // of the other's DEM steps: to catch up along recorded paths
 };
 
 // Errors that cannot be told (no common frame, no peak) are NaN. InputError when the grounds differ in

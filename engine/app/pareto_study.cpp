@@ -20,10 +20,17 @@ struct Plan {
     std::vector<std::string> set;
 };
 
+// "0.003" or "0.003:0.1".
+std::vector<std::string> gate_of(const std::string& threshold) {
+    const std::size_t colon = threshold.find(':');
+    std::vector<std::string> set{"gate.strain=" + threshold.substr(0, colon)};
+    if (colon != std::string::npos) set.push_back("gate.flow=" + threshold.substr(colon + 1));
+    return set;
+}
+
 std::vector<Plan> plans(const ParetoRequest& request) {
     std::vector<Plan> out{{"full", "full", {}}};
-    for (const double t : request.thresholds)
-        out.push_back({fmt::format("{}", t), "screening", {fmt::format("gate.strain={}", t)}});
+    for (const std::string& t : request.thresholds) out.push_back({t, "screening", gate_of(t)});
     out.push_back({"surrogate", "screening", {"gate.active=false"}});
     return out;
 }
@@ -58,7 +65,7 @@ std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request)
         if (!run) return std::nullopt;
         if (!reference) reference = run;
         ParetoRow row{plan.label,         compare_runs(*reference, *run), run->summary.wall_s,
-                      run->summary.cpu_s, run->number("jump_p95"),        io::Summary::unknown};
+                      run->summary.cpu_s, run->summary.dem_steps,         io::Summary::unknown};
         if (request.census && plan.mode == "screening") {
             const auto census = run_of(request, plan, "_census");
             if (!census) return std::nullopt;
@@ -71,19 +78,21 @@ std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request)
 
 std::string to_csv(const std::vector<ParetoRow>& rows) {
     std::string out =
-        "threshold,wall_s,cpu_s,speedup,dem_fraction_mean,dem_fraction_final,peak_error,peak_position_error,"
-        "curve_error,curve_error_smoothed,displacement_error,stress_error,jump_p95,audit_mean,audit_ci95,"
-        "true_stress_error,interval_holds\n";
+        "threshold,wall_s,cpu_s,speedup,cpu_ratio,dem_steps,dem_fraction_mean,dem_fraction_final,peak_error,"
+        "peak_position_error,curve_error,curve_error_smoothed,displacement_error,stress_error,jump_p95,"
+        "jump_felt_p95,ordinary_step_p95,replay_share,audit_mean,audit_ci95,true_stress_error,interval_"
+        "holds\n";
     for (const ParetoRow& r : rows) {
         const Comparison& c = r.against;
         const bool known = std::isfinite(r.true_error) && std::isfinite(c.audit_ci95);
-        out += fmt::format(
-            "{},{:.2f},{:.2f},{:.3f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.4f},"
-            "{:.5f},{:.5f},{:.5f},{}\n",
-            r.label, r.wall, r.cpu, c.wall_ratio, c.dem_share_mean, c.dem_share, c.peak_error,
-            c.peak_position_error, c.curve_error, c.curve_error_smoothed, c.displacement_error,
-            c.stress_error, r.jump_p95, c.audit_mean, c.audit_ci95, r.true_error,
-            known ? (std::abs(r.true_error - c.audit_mean) <= c.audit_ci95 ? "yes" : "no") : "");
+        out += fmt::format("{},{:.2f},{:.2f},{:.3f},{:.3f},{},{:.4f},{:.4f},", r.label, r.wall, r.cpu,
+                           c.wall_ratio, c.cpu_ratio, r.dem_steps, c.dem_share_mean, c.dem_share);
+        out += fmt::format("{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},", c.peak_error, c.peak_position_error,
+                           c.curve_error, c.curve_error_smoothed, c.displacement_error, c.stress_error);
+        out +=
+            fmt::format("{:.4f},{:.5f},{:.5f},{:.4f},{:.5f},{:.5f},{:.5f},{}\n", c.jump_p95, c.felt_p95,
+                        c.ordinary_p95, c.replay_share, c.audit_mean, c.audit_ci95, r.true_error,
+                        known ? (std::abs(r.true_error - c.audit_mean) <= c.audit_ci95 ? "yes" : "no") : "");
     }
     return out;
 }

@@ -9,16 +9,18 @@
 namespace sandgraph::app {
 
 struct ParetoRequest {
-    RunRequest run;                  // `folder` holds all runs
-    std::vector<double> thresholds;  // of gate.strain; all grains and all surrogate are always there
-    bool census = false;             // each again with every point audited: the true stress error
+    RunRequest run;  // `folder` holds all runs
+    // gate.strain, or gate.strain:gate.flow; all grains and all surrogate are always there
+    std::vector<std::string> thresholds;
+    bool census = false;  // each again with every point audited: the true stress error
 };
 
 struct ParetoRow {
     std::string label;  // "full", the threshold, or "surrogate"
     Comparison against;
     double wall = 0, cpu = 0;  // [s]
-    double jump_p95 = 0, true_error = 0;
+    std::int64_t dem_steps = 0;
+    double true_error = 0;
 };
 
 // Runs the scene at full fidelity and at each threshold, each in a folder of its own; a run that is finished

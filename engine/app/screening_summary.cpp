@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sandgraph::app {
 namespace {
 
 const std::string kSwitches = "switches ";  // + reason: a key of the summary
 
+// Of those that are numbers.
 double quantile(std::vector<double> values, double share) {
+    std::erase_if(values, [](double v) { return std::isnan(v); });
     if (values.empty()) return io::Summary::unknown;
     const auto k = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k), values.end());
@@ -18,16 +21,20 @@ double quantile(std::vector<double> values, double share) {
 
 void add_hand_over(const graph::ScreeningLaw& law, io::Summary& s) {
     std::array<double, graph::reason_count> count{};
-    std::vector<double> jumps;
+    std::vector<double> jumps, felt, ordinary;
     for (const graph::Switch& one : law.switches()) {
         ++count[static_cast<std::size_t>(one.reason)];
-        jumps.push_back(one.jump);
+        jumps.push_back(one.jump), felt.push_back(one.felt), ordinary.push_back(one.ordinary);
     }
     for (std::size_t r = 1; r < count.size(); ++r)
         s.extra.emplace_back(kSwitches + graph::reason_names[r], count[r]);
     s.extra.emplace_back("jump_p50", quantile(jumps, 0.5));
     s.extra.emplace_back("jump_p95", quantile(jumps, 0.95));
     s.extra.emplace_back("jump_max", quantile(jumps, 1));
+    s.extra.emplace_back("jump_felt_p50", quantile(felt, 0.5));
+    s.extra.emplace_back("jump_felt_p95", quantile(felt, 0.95));
+    s.extra.emplace_back("ordinary_step_p50", quantile(ordinary, 0.5));
+    s.extra.emplace_back("ordinary_step_p95", quantile(ordinary, 0.95));
     s.extra.emplace_back("jump_work_J_per_m", law.screening().jump_work);
 }
 
@@ -74,6 +81,13 @@ std::string screening_text(const io::Summary& s) {
     if (extra(s, "jump_p95") >= 0)
         out += fmt::format("stress jump at hand-over: {:.1f} % of p (median), {:.1f} % (95th percentile)\n",
                            100 * extra(s, "jump_p50"), 100 * extra(s, "jump_p95"));
+    if (extra(s, "jump_felt_p95") >= 0)
+        out += fmt::format(
+            "what the ground feels of it in one step: {:.2f} % (median), {:.2f} % (95th percentile); the "
+            "same points' "
+            "largest step afterwards: {:.2f} %, {:.2f} %\n",
+            100 * extra(s, "jump_felt_p50"), 100 * extra(s, "jump_felt_p95"),
+            100 * extra(s, "ordinary_step_p50"), 100 * extra(s, "ordinary_step_p95"));
     if (s.audit.points > 0)
         out += fmt::format("audit: the surrogate's stress is off by {:.1f} +- {:.1f} % of p ({} points)\n",
                            100 * s.audit.stress_error_mean, 100 * s.audit.ci95, s.audit.points);

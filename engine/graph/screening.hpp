@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -46,6 +47,9 @@ struct Switch {
     std::int32_t point = 0;
     Reason reason = Reason::none;
     double jump = 0;  // |sigma_surrogate - sigma_DEM|, share of max(p_DEM, floor)
+    // Largest change of the ground's stress in one step while the jump fades, and in as many steps after it,
+    // shares of max(p, floor); NaN: no such step.
+    double felt = std::numeric_limits<double>::quiet_NaN(), ordinary = felt;
 };
 
 struct ScreeningCounters {

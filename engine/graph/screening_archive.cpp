@@ -37,6 +37,7 @@ void ScreeningLaw::save(ByteWriter& out) const {
     out.put(audit_errors_), out.put(fading_), out.put(static_cast<std::uint64_t>(dem_points_));
     out.put(next_audit_), out.put(audits_), out.put(switches_);
     out.put(counters_), out.put(screening_);
+    felt_.save(out);
 }
 
 void ScreeningLaw::load(ByteReader& in) {
@@ -52,6 +53,7 @@ void ScreeningLaw::load(ByteReader& in) {
     dem_points_ = points;
     in.take(next_audit_), in.take(audits_), in.take(switches_);
     in.take(counters_), in.take(screening_);
+    felt_.load(in);
 }
 
 }  // namespace sandgraph::graph

@@ -14,6 +14,7 @@ void ScreeningLaw::hand_over(const stress::Batch& batch, const Surroundings& aro
     settle_grains();
     fade(batch, around);
     settle_answers(batch);
+    felt_.after(batch.stress, setup_.grains.visits().pressure_floor, switches_);
     settle_replays();
     raise(around);
     replace_failed();
@@ -93,7 +94,12 @@ void ScreeningLaw::switch_point(std::int32_t p, const stress::Batch& batch, doub
     start_fading(p, PointMode::blending, difference(batch.stress[p], now));
     ++dem_points_;
     const double jump = norm(blend_[p]) / reference_pressure(now, setup_.grains.visits().pressure_floor);
-    switches_.push_back({screening_.steps, d_over_B, p, reason_[p], jump});
+    note({screening_.steps, d_over_B, p, reason_[p], jump});
+}
+
+void ScreeningLaw::note(const Switch& one) {
+    switches_.push_back(one);
+    felt_.watch(switches_);
 }
 
 // A point may be switched again before its last jump is gone; the new one holds what was left of it.

@@ -22,7 +22,9 @@ double path_tolerance(const stress::PackingTraits& traits, double share) {
 }  // namespace
 
 ScreeningLaw::ScreeningLaw(ScreeningSetup setup)
-    : setup_(std::move(setup)), visits_(setup_.grains.row_of_point.size()) {
+    : setup_(std::move(setup)),
+      visits_(setup_.grains.row_of_point.size()),
+      felt_(visits_.size(), setup_.hand_over.blend_steps) {
     const std::size_t n = visits_.size();
     const bool all_grains = setup_.gate.active && setup_.gate.strain <= 0;
     if (all_grains) setup_.gate.flow = 0;
@@ -81,6 +83,7 @@ void ScreeningLaw::predict_point(std::int32_t point, const stress::Batch& batch,
                                  const VisitSettings& of_grains) {
     const bool grains = by_grains(static_cast<std::size_t>(point));
     const Mat2& F_inc = batch.F_inc[point];
+    felt_.before(point, batch.stress[point]);
     visits_.predict(point, row(point).moduli, F_inc, grains && rves_[point].floating(),
                     grains ? of_grains : setup_.visits, batch.stress[point]);
     if (fade_left_[point] > 0) turn(blend_[point], F_inc);

@@ -1,4 +1,5 @@
 #pragma once
+#include "graph/felt_jumps.hpp"
 #include "graph/screening.hpp"
 #include "graph/strain_path.hpp"
 #include "stress/increment.hpp"
@@ -94,6 +95,7 @@ class ScreeningLaw : public stress::Law {
     void hand_back(const stress::Batch& batch, double d_over_B);
     bool goes_back(std::int32_t point, const stress::SurrogateAnswer& followed) const;
     void start_fading(std::int32_t point, PointMode mode, const Stress& jump);
+    void note(const Switch& one);
 
     ScreeningSetup setup_;
     Visits visits_;
@@ -129,6 +131,7 @@ class ScreeningLaw : public stress::Law {
     double next_audit_ = 0;
     std::vector<AuditRow> audits_;
     std::vector<Switch> switches_;
+    FeltJumps felt_;
     RveCounters counters_;
     ScreeningCounters screening_;
 };

@@ -34,7 +34,8 @@ template <class Visit>
 void visit_switches(Visit&& visit) {
     visit("step", &SwitchRow::step, ""), visit("d_over_B", &SwitchRow::d_over_B, "-");
     visit("point", &SwitchRow::point, ""), visit("reason", &SwitchRow::reason, "");
-    visit("jump", &SwitchRow::jump, "share of p");
+    visit("jump", &SwitchRow::jump, "share of p"), visit("felt", &SwitchRow::felt, "share of p");
+    visit("ordinary", &SwitchRow::ordinary, "share of p");
 }
 
 template <class Visit>
@@ -66,7 +67,7 @@ ScreeningRecord read_screening(const h5::Group& root) {
     std::istringstream reasons(h5::get_text(switches, ".", "reasons"));
     for (std::string line; std::getline(reasons, line);) record.reasons.push_back(line);
     visit_switches([&](const char* name, auto member, const char*) {
-        read_column(switches, name, record.switches, member);
+        if (switches.has(name)) read_column(switches, name, record.switches, member);
     });
     visit_audits(
         [&](const char* name, auto member, const char*) { read_column(audit, name, record.audits, member); });

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct SwitchRow {
     std::int32_t point = 0;
     std::uint8_t reason = 0;  // index into ScreeningRecord::reasons
     double jump = 0;          // stress jump, share of p
+    // Largest change of the ground's stress in a step while the jump fades, and in as many steps after it,
+    // shares of p; NaN: no such step, or not recorded.
+    double felt = std::numeric_limits<double>::quiet_NaN(), ordinary = felt;
 };
 
 // One audit: mean stress error of the points that the surrogate answers for, share of p.

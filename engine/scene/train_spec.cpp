@@ -40,6 +40,7 @@ void add_data_keys(KeyTable& keys, TrainSpec& spec) {
                  "packing seeds before those: they choose the best epoch");
     data.integer("held_out_every", spec.held_out_every, 0,
                  "of the other seeds every so-manieth history is held out, too; 0: none");
+    data.integer("histories", spec.histories, 0, "trained on at most, drawn evenly from the rest; 0: all");
     data.real("strain_max", spec.strain_max, "", above_up_to(0, 10), "length of a history that trains");
 }
 
@@ -81,6 +82,8 @@ KeyTable train_keys(TrainSpec& spec) {
     model.choice("rung", spec.rung, {"elastic", "fitted", "learned", "mlp", "gru"},
                  "elastic; elements with fitted constants; with learned coefficients; two baselines");
     model.integer("members", spec.members, 1, "of the ensemble");
+    model.choice("traits", spec.traits, {"all", "stiffness", "none"},
+                 "known of a packing beside p, n and stress: all; not Z, fabric, peak strength; nor K and G");
     model.input_file("start", spec.start, "model to go on from (retraining), else weights are drawn");
     add_training_keys(keys, spec);
     add_step_keys(keys, spec);

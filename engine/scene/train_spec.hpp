@@ -10,6 +10,9 @@ namespace sandgraph::scene {
 // In the order of their claim to ship: a rung must beat the ones before it on held-out histories.
 enum class TrainRung { elastic, fitted, learned, mlp, gru };
 
+// What a law is told of a packing besides its pressure, porosity and stress at the start.
+enum class TrainTraits { all, stiffness, none };
+
 // What a surrogate is trained from, and how.
 struct TrainSpec {
     std::string file, text;
@@ -18,10 +21,12 @@ struct TrainSpec {
     int held_out_seeds = 1;         // packing seeds never trained on, the highest ones
     int validation_seeds = 1;       // those before them choose when to stop
     int held_out_every = 10;        // of the other seeds every so-manieth history is held out, too
+    int histories = 0;              // trained on at most, drawn evenly; 0: all that are left
     double strain_max = 0.05;       // length of the path up to which a history trains
 
     TrainRung rung = TrainRung::learned;
     int members = 4;
+    TrainTraits traits = TrainTraits::all;
     std::string start;  // model whose weights training starts from; "": drawn
 
     std::uint64_t seed = 1;

@@ -40,7 +40,7 @@ class SpeedAndError : public testing::Test {
 };
 
 TEST_F(SpeedAndError, ParetoRunsFullFidelityTheThresholdsAndTheSurrogateAlone) {
-    const std::string command = "pareto scene.toml -o study --thresholds 0,0.002";
+    const std::string command = "pareto scene.toml -o study --thresholds 0,0.002:0.01";
     const auto outcome = shell_.run(command);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_TRUE(shell_.exists("study/pareto.png") || outcome.out.find("no picture") != std::string::npos);
@@ -48,7 +48,7 @@ TEST_F(SpeedAndError, ParetoRunsFullFidelityTheThresholdsAndTheSurrogateAlone) {
     std::string line, names;
     std::vector<std::string> labels;
     for (std::getline(csv, names); std::getline(csv, line);) labels.push_back(line.substr(0, line.find(',')));
-    EXPECT_EQ(labels, (std::vector<std::string>{"full", "0", "0.002", "surrogate"}));
+    EXPECT_EQ(labels, (std::vector<std::string>{"full", "0", "0.002:0.01", "surrogate"}));
 
     // What is finished is not run again.
     EXPECT_EQ(shell_.run(command).out.find("---"), std::string::npos);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,25 @@ TEST(ScreeningLaw, TheStressDoesNotJumpWhereAPointGoesBack) {
     double jumps = 0;
     for (const Switch& s : bench.law.switches()) jumps += s.jump * 32e3;
     EXPECT_LT(largest, 0.05 * jumps + 0.03 * 32e3);
+}
+
+// Read off the stresses from outside, in the 40 steps that a jump fades and the 40 after them.
+TEST(ScreeningLaw, TellsWhatTheGroundFeelsOfAJump) {
+    ScreeningSetup setup = setup_of(3, 2e-3);
+    setup.gate.flow = 0;
+    auto bench = screening(3, setup);
+    while (!bench.law.by_grains(2)) shear(bench, 1);
+    std::array<double, 2> largest{};
+    for (int k = 0; k < 80; ++k) {
+        const Stress before = bench.stress[2];
+        shear(bench, 1);
+        const double change = norm(difference(bench.stress[2], before)) / mean_stress(bench.stress[2]);
+        largest[k / 40] = std::max(largest[k / 40], change);
+    }
+    shear(bench, 20);
+    EXPECT_DOUBLE_EQ(last_switch(bench.law, 2).felt, largest[0]);
+    EXPECT_DOUBLE_EQ(last_switch(bench.law, 2).ordinary, largest[1]);
+    EXPECT_GE(largest[0], last_switch(bench.law, 2).jump / 40 - largest[1]);
 }
 
 // Answers until it is told not to.

@@ -1,0 +1,39 @@
+#include "training/known_traits.hpp"
+
+#include <cmath>
+
+namespace sandgraph::training {
+namespace {
+
+using stress::PackingTraits;
+
+// value ~ c p^m, least squares in the logarithms.
+struct PowerLaw {
+    double constant = 0, slope = 0;
+    double at(double p) const { return std::exp(constant + slope * std::log(p)); }
+};
+
+PowerLaw fit(const HistorySet& set, double PackingTraits::*trait) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const io::HistoryPacking& packing : set.packings) {
+        const double a = std::log(packing.traits.pressure), b = std::log(packing.traits.*trait);
+        n += 1, x += a, y += b, xx += a * a, xy += a * b;
+    }
+    const double spread = n * xx - x * x;
+    const double slope = spread > 0 ? (n * xy - x * y) / spread : 0;
+    return {(y - slope * x) / n, slope};
+}
+
+}  // namespace
+
+void withhold_traits(HistorySet& set, scene::TrainTraits known) {
+    if (known == scene::TrainTraits::all) return;
+    const PowerLaw bulk = fit(set, &PackingTraits::bulk), shear = fit(set, &PackingTraits::shear);
+    for (io::HistoryPacking& packing : set.packings) {
+        PackingTraits& t = packing.traits;
+        t.coordination = 3.5, t.strength = 0.5, t.fabric_xx = t.fabric_xy = 0;
+        if (known == scene::TrainTraits::none) t.bulk = bulk.at(t.pressure), t.shear = shear.at(t.pressure);
+    }
+}
+
+}  // namespace sandgraph::training

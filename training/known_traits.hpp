@@ -1,0 +1,12 @@
+#pragma once
+#include "scene/train_spec.hpp"
+#include "training/history.hpp"
+
+namespace sandgraph::training {
+
+// Withholds from every law what `known` leaves out of the packings' traits: middle values stand in for them,
+// for K and G a power law of the pressure through all packings of the set. What does a law owe to knowing its
+// packing?
+void withhold_traits(HistorySet& set, scene::TrainTraits known);
+
+}  // namespace sandgraph::training
