@@ -55,9 +55,13 @@ Tensor ElementLaw::output_bias() const {
 // Kept where a packing of grains can be: a member that sees little flow must not wander off.
 Tensor ElementLaw::critical_state() const {
     const auto column = [&](std::int64_t i) { return critical.narrow(1, i, 1); };
-    return torch::cat({column(0).exp().clamp(0.01, 1), column(1).exp().clamp(0.05, 5), 0.04 * column(2),
-                       column(3).exp().clamp(1e-4, 0.05)},
-                      1);
+    Tensor void_ratio = 0.04 * column(2), slope = column(3).exp().clamp(1e-4, 0.05);
+    if (measured_critical) {
+        const surrogate::CriticalState measured;
+        void_ratio = torch::full_like(void_ratio, measured.void_ratio);
+        slope = torch::full_like(slope, measured.slope);
+    }
+    return torch::cat({column(0).exp().clamp(0.01, 1), column(1).exp().clamp(0.05, 5), void_ratio, slope}, 1);
 }
 
 std::vector<Tensor> ElementLaw::constants() const {

@@ -24,6 +24,8 @@ class ElementLaw : public Law {
     // Midpoint rule as the kernel has it; without, coefficients are those of a step's beginning (half the
     // cost, good enough to train on short steps).
     bool midpoint = false;
+    // Critical state's void ratio and slope stay as surrogate::CriticalState has them, which is as measured.
+    bool measured_critical = false;
     // One operation for the whole rollout, its adjoint by hand; otherwise step by step, differentiated by
     // torch.
     bool fused = true;

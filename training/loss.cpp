@@ -16,6 +16,13 @@ Tensor scaled_difference(const Tensor& p, const Tensor& s, const Tensor& p_measu
     return torch::sqrt(squared + 1e-12) / p_measured.clamp_min(p_scale_least);
 }
 
+// The deviator as it would be at the measured p.
+Tensor friction_error(const Prediction& prediction, const Batch& batch) {
+    const Tensor measured = batch.p.unsqueeze(1);
+    const Tensor to_measured = (measured / prediction.p).clamp(0.1, 10).unsqueeze(3);
+    return scaled_difference(prediction.p, prediction.s * to_measured, measured, batch.s.unsqueeze(1));
+}
+
 // Largest way of the measured stress so far over `change` p, between change_least and 1 [T, 1, B].
 Tensor share_of_change(const Batch& batch, double change) {
     if (change <= 0) return torch::ones({1, 1, 1}, batch.p.options());
@@ -36,7 +43,8 @@ Tensor ensemble_error(const Prediction& prediction, const Batch& batch) {
 Tensor rollout_loss(const Prediction& prediction, const Batch& batch, const Tensor& drawn,
                     const LossScale& scale) {
     const double robust = scale.robust;
-    const Tensor error = stress_error(prediction, batch) / (robust * share_of_change(batch, scale.change));
+    const Tensor raw = scale.friction ? friction_error(prediction, batch) : stress_error(prediction, batch);
+    const Tensor error = raw / (robust * share_of_change(batch, scale.change));
     const Tensor loss = robust * robust * (torch::sqrt(1 + error.square()) - 1);
     const std::vector<std::int64_t> every = {0, 2};
     const Tensor weight = batch.weight.unsqueeze(1) * drawn.index_select(1, batch.histories).unsqueeze(0);

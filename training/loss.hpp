@@ -14,6 +14,10 @@ struct LossScale {
     // While the measured stress has moved by less than this share of p since the start, the error counts as a
     // share of that way: stiffness at small strain carries a foundation long before anything fails. 0: never.
     double change = 0;
+    // Deviators are compared as shares of the answer's and of the measured p. What sand bears at given strain
+    // is strength times a pressure that is weather: an answer whose p is low must not make up for it by
+    // friction, which the ground then has at any p.
+    bool friction = false;
 };
 
 // Mean over the weighted steps of each member's error, squared while small and linear beyond `robust`

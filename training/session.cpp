@@ -38,7 +38,7 @@ TrainOptions options_of(const scene::TrainSpec& spec) {
             .rate = spec.rate,
             .rate_end = spec.rate_end,
             .clip = spec.clip,
-            .scale = {.robust = spec.robust, .change = spec.change}};
+            .scale = {.robust = spec.robust, .change = spec.change, .friction = spec.friction}};
 }
 
 void tell(Rung rung, const EpochReport& report) {
@@ -81,6 +81,8 @@ std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& s
     if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get());
         elements && rung == Rung::learned && !spec.start.empty())
         start_from(*elements, surrogate::read_model(spec.start).model, spec.start);
+    if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get()))
+        elements->measured_critical = spec.measured_critical;
     Trainer trainer(trained.law, options_of(spec), std::ssize(data.set.histories), data.hash);
     if (trainer.load(state)) fmt::print(stderr, "going on after epoch {}\n", trainer.epochs());
     while (!trainer.done()) {

@@ -67,6 +67,8 @@ void add_training_keys(KeyTable& keys, TrainSpec& spec) {
     training.real("rate", spec.rate, "", above(0), "learning rate of Adam at the start");
     training.real("rate_end", spec.rate_end, "", above(0), "and at the end");
     training.real("clip", spec.clip, "", above(0), "largest norm of a member's gradient");
+    training.flag("friction", spec.friction,
+                  "deviators count as shares of p: a low p is not made up for by friction");
     training.real("robust", spec.robust, "", above(0),
                   "error, as a share of p, beyond which the loss grows linearly");
     training.real("change", spec.change, "", at_least(0),
@@ -84,6 +86,8 @@ KeyTable train_keys(TrainSpec& spec) {
     model.integer("members", spec.members, 1, "of the ensemble");
     model.choice("traits", spec.traits, {"all", "stiffness", "none"},
                  "known of a packing beside p, n and stress: all; not Z, fabric, peak strength; nor K and G");
+    model.flag("measured_critical", spec.measured_critical,
+               "critical state as `sandgraph rve critical` measures it, not as training shifts it");
     model.input_file("start", spec.start, "model to go on from (retraining), else weights are drawn");
     add_training_keys(keys, spec);
     add_step_keys(keys, spec);

@@ -27,11 +27,13 @@ struct TrainSpec {
     TrainRung rung = TrainRung::learned;
     int members = 4;
     TrainTraits traits = TrainTraits::all;
-    std::string start;  // model whose weights training starts from; "": drawn
+    bool measured_critical = false;  // critical state as measured, not trained
+    std::string start;               // model whose weights training starts from; "": drawn
 
     std::uint64_t seed = 1;
     int epochs = 60, patience = 20, batch = 128, threads = 1;
     double rate = 5e-3, rate_end = 3e-4, clip = 1, robust = 0.1, change = 0;
+    bool friction = false;  // the loss compares s/p instead of s
     double step_share = 0.12, step_least = 2e-5, step_most = 1e-3;
     double lead_from = 0.02, lead_strain = 3e-3;
 };

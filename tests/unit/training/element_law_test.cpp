@@ -104,6 +104,35 @@ TEST(ElementLaw, GoesOnFromAServedModelAsItWas) {
         InputError);
 }
 
+TEST(ElementLaw, KeepsTheMeasuredCriticalStateWhereItIsTold) {
+    const auto law = law_of(Rung::learned);
+    const torch::NoGradGuard no_gradients;
+    law->critical.add_(1);
+    const surrogate::CriticalState measured;
+    EXPECT_GT(export_model(*law, 1e-4).members[0].critical.void_ratio, measured.void_ratio + 0.01);
+    law->measured_critical = true;
+    for (const surrogate::Member& m : export_model(*law, 1e-4).members) {
+        EXPECT_DOUBLE_EQ(m.critical.void_ratio, measured.void_ratio);
+        EXPECT_DOUBLE_EQ(m.critical.slope, measured.slope);
+    }
+}
+
+// At half the measured p, half the deviator is the right friction, the whole one twice too much.
+TEST(RolloutLoss, OfFrictionForgivesTheDeviatorOfALowPressure) {
+    const Sample sample;
+    const Batch& batch = sample.batch();
+    const torch::Tensor p = batch.p.unsqueeze(1), s = batch.s.unsqueeze(1);
+    const torch::Tensor drawn =
+        torch::ones({1, static_cast<std::int64_t>(sample.set.histories.size())}, torch::kDouble);
+    const auto loss = [&](const torch::Tensor& deviator, bool friction) {
+        const LossScale scale{.friction = friction};
+        return rollout_loss({0.5 * p, deviator, {}}, batch, drawn, scale).item<double>();
+    };
+    EXPECT_LT(loss(0.5 * s, true), loss(s, true));
+    EXPECT_LT(loss(s, false), loss(0.5 * s, false));
+    EXPECT_NEAR(loss(0.5 * s, true), loss(s, false), 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rungs, EveryElementRung, testing::Values(Rung::elastic, Rung::fitted, Rung::learned),
                          [](const auto& rung) { return std::string(name_of(rung.param)); });
 
