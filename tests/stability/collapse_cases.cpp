@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "stability/ground.hpp"
 #include "stability/suite.hpp"
@@ -63,6 +64,16 @@ Heap let_go(const GroundSpec& spec) {
     return out;
 }
 
+// The same column of a sand of 5 MPa that keeps one friction angle [deg] and its volume: what the grid alone,
+// and what the friction makes of it.
+void twin(Findings& found, GroundSpec spec, double friction, double runout, double height) {
+    spec.plastic = {5e6, 0.3, friction * std::numbers::pi / 180, 0, 0};
+    const Heap heap = let_go(spec);
+    const std::string sand = fmt::format(", Mohr-Coulomb of {} deg, cells of {} m", friction, spec.cell);
+    found.note("run-out over that of Lube et al." + sand, heap.runout / runout);
+    found.note("height of the heap over theirs" + sand, heap.height / height);
+}
+
 // Lube, Huppert, Sparks & Freundt (2005), plane columns on a rough floor, by their end at 3.3 sqrt(H/g):
 // run-out over width 1.2 a below a = 1.8 (fits to 2.3 within a tenth); height of the heap H below a = 1.15,
 // width a^0.4 above. The front of a heap is thinner than a cell: on coarse cells it is missing, and what is
@@ -94,6 +105,9 @@ void collapse(Effort effort, Findings& found, double aspect, double finest = 0.0
     found.at_most("energy gained, share of the column's potential", fine.gained, 0.005);
     found.exactly("updates that failed", static_cast<double>(fine.counters.failures), 0);
     found.note("largest inertial number of an update", fine.counters.inertial_number_max);
+    if (quick) return;
+    for (const double friction : {20.5, 31.0})  // of the packings past the peak; of their sand at repose
+        twin(found, column(effort, aspect, cell), friction, theirs, height);
 }
 
 constexpr std::array table = {

@@ -28,20 +28,33 @@ mpm::Points points_of(const GroundSpec& s, double density) {
     return mpm::lay_out(layout);
 }
 
+double pressure_at(const GroundSpec& spec, double density, double depth) {
+    return spec.pressure ? spec.pressure(depth) : spec.surcharge + density * gravity * depth;
+}
+
 graph::RveLawSetup grains_of(const GroundSpec& spec, const app::CompressedPackings& packings,
                              const scene::Grains& recipe, const mpm::Points& points, double density) {
     graph::RveLawSetup setup;
     const int rows = points.row.empty() ? 0 : *std::ranges::max_element(points.row) + 1;
     for (int row = 0; row < rows; ++row) {
         const double depth = (row + 0.5) * 2 * points.half;
-        setup.rows.push_back(
-            packings.row(spec.pressure ? spec.pressure(depth) : spec.surcharge + density * gravity * depth));
+        setup.rows.push_back(packings.row(pressure_at(spec, density, depth)));
     }
     setup.material = recipe.material;
     setup.row_of_point = points.row;
     setup.options = app::rve_options({}, recipe.material, setup.rows.front().packing->grains->radius);
     if (spec.stepping) spec.stepping(setup.options);
     return setup;
+}
+
+std::unique_ptr<stress::Law> plastic_law(const GroundSpec& spec, const mpm::Points& points, double density) {
+    std::vector<Stress> stress;
+    std::vector<double> zz;
+    for (const std::int32_t row : points.row) {
+        const double p = pressure_at(spec, density, (row + 0.5) * 2 * points.half);
+        stress.push_back({-p, -p, 0}), zz.push_back(-p);
+    }
+    return std::make_unique<stress::MohrCoulomb>(*spec.plastic, std::move(stress), std::move(zz));
 }
 
 std::unique_ptr<stress::Law> law_of(const GroundSpec& spec, const app::CompressedPackings& packings,
@@ -76,7 +89,8 @@ Ground::Ground(const GroundSpec& spec) {
     const app::CompressedPackings packings(recipe);
     density_ = recipe.material.density * (1 - dem::porosity(packings.base_packing()));
     mpm::Points points = points_of(spec, density_);
-    auto law = law_of(spec, packings, grains_of(spec, packings, recipe, points, density_));
+    auto law = spec.plastic ? plastic_law(spec, points, density_)
+                            : law_of(spec, packings, grains_of(spec, packings, recipe, points, density_));
     const double modulus = law->p_wave_modulus();
     graph::StepSettings settings;
     settings.dt = spec.plate ? mpm::time_step({spec.courant, spec.cell, modulus, density_, 1, 1})
@@ -103,7 +117,9 @@ double Ground::kinetic() const { return mpm::kinetic_energy(state_->points); }
 double Ground::potential() const { return mpm::gravity_potential(state_->points, {0, -gravity}); }
 
 const graph::RveCounters& Ground::counters() const {
+    static const graph::RveCounters no_counters;
     if (const auto* law = dynamic_cast<const graph::ScreeningLaw*>(state_->law.get())) return law->counters();
+    if (!dynamic_cast<const graph::RveLaw*>(state_->law.get())) return no_counters;
     return rves().counters();
 }
 

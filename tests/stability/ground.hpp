@@ -7,6 +7,7 @@
 #include "graph/rve_law.hpp"
 #include "graph/screening_law.hpp"
 #include "graph/step_graph.hpp"
+#include "stress/mohr_coulomb.hpp"
 
 namespace sandgraph::stability {
 
@@ -22,7 +23,8 @@ struct GroundSpec {
     int grains = 400;   // of a packing
     mpm::Boundaries boundaries{mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
     double courant = 0.3, damping = 0.05, surcharge = 0;
-    std::optional<mpm::Rectangle> plate;  // a rough one; x = 0 may be its symmetry plane
+    std::optional<mpm::Rectangle> plate;                  // a rough one; x = 0 may be its symmetry plane
+    std::optional<stress::MohrCoulombConstants> plastic;  // what the ground is made of instead of packings
     // In-situ pressure [Pa] at a depth [m]; empty: surcharge and weight, K0 = 1.
     std::function<double(double)> pressure;
     std::function<void(dem::RveOptions&)> stepping;
