@@ -31,20 +31,17 @@ case $study in
         done
         gather "$out"/traits-*.errors.csv ;;
     data)
-        # Small batches and small rates for the baselines: they need many steps. About equal numbers of steps a size.
+        # Small batches, and small rates for the baselines: they need many steps. 0: all, 990.
         while read -r rung histories epochs batch rate; do
             variant "data-$rung-$histories" "s/^rung .*/rung = \"$rung\"/; s/^strain_max/histories = $histories\n&/
                 s/^epochs .*/epochs = $epochs/; s/^batch .*/batch = $batch/; s/^rate .*/rate = $rate/"
         done <<'END'
 learned 36 100 16 2e-2
-learned 150 50 16 2e-2
-mlp 36 100 16 3e-3
-mlp 150 50 16 3e-3
-learned 0 20 32 2e-2
-mlp 0 20 32 3e-3
-gru 36 30 16 3e-3
-gru 150 15 16 3e-3
-gru 0 5 32 3e-3
+learned 150 25 16 2e-2
+mlp 36 25 16 3e-3
+mlp 150 25 16 3e-3
+mlp 0 8 32 3e-3
+gru 0 3 32 5e-3
 END
         gather "$out"/data-*.errors.csv ;;
 esac
