@@ -43,8 +43,8 @@ std::vector<Batch> measured_by(const ElementLaw& law) {
 }
 
 Trainer trainer_of(const std::shared_ptr<ElementLaw>& law, int epochs, const std::string& identity = "a") {
-    return Trainer(law, {.epochs = epochs, .patience = 1000, .rate = 3e-2, .rate_end = 1e-3}, histories,
-                   identity);
+    return Trainer(law, {.epochs = epochs, .patience = 1000, .rate = 3e-2, .rate_end = 1e-3, .scale = {}},
+                   histories, identity);
 }
 
 std::vector<double> parameters_of(const ElementLaw& law) {
