@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-// A thin RAII layer over the HDF5 C API. Debian's library is not thread-safe: one thread at a time.
+// A thin RAII layer over the HDF5 C API; one thread at a time, for not every build of HDF5 is thread-safe.
 namespace sandgraph::io::h5 {
 
 // Owns one HDF5 identifier.
@@ -19,8 +19,10 @@ class Handle {
         std::swap(close_, other.close_);
         return *this;
     }
+    // A file that was closed took what was open of it along; to close that again is an error, whose words
+    // HDF5 would keep for the thread and forget with it.
     ~Handle() {
-        if (id_ >= 0) close_(id_);
+        if (id_ >= 0 && H5Iis_valid(id_) > 0) close_(id_);
     }
     hid_t get() const { return id_; }
 

@@ -107,6 +107,16 @@ TEST(Hdf5File, TellsMissingForeignAndTruncatedApartInOneLine) {
     EXPECT_EQ(message("cut.h5").find('\n'), std::string::npos);
 }
 
+TEST(Hdf5File, TakesItsOpenGroupsAlongWithoutAnError) {
+    const Scratch folder;
+    File file = File::create(folder / "a.h5");
+    {
+        const Group root = file.root(), below = file.root().create("below");
+        file.close();
+    }
+    EXPECT_EQ(H5Eget_num(H5E_DEFAULT), 0);
+}
+
 TEST(Hdf5Error, IsThrownAndNotPrinted) {
     testing::internal::CaptureStderr();
     EXPECT_THROW(File::create("/no/such/folder/a.h5"), std::runtime_error);
