@@ -118,9 +118,4 @@ void HistoryRecorder::write() {
     writer.commit();
 }
 
-void HistoryRecorder::discard_journal() {
-    journal_.reset();
-    std::filesystem::remove(journal_path());
-}
-
 }  // namespace sandgraph::app

@@ -22,10 +22,8 @@ class HistoryRecorder {
     void after_step(const graph::Pull& pull, BackgroundWriter& writer);
     // With an idle writer only: what the checkpoint must know; reading cuts the journal back to it.
     void archive(Archive& a);
-    // With an idle writer only: history.h5 of what was logged so far. The journal stays, for a resumed run
-    // ...
+    // With an idle writer only: history.h5 of what was logged so far. The journal stays, for a resumed run.
     void write();
-    void discard_journal();  // ... until there is nothing to resume
 
     std::size_t rows() const { return logged_; }
     bool full() const { return full_; }
@@ -33,7 +31,7 @@ class HistoryRecorder {
   private:
     void log(const graph::RveUpdate& update, double time);
     void hand_over(BackgroundWriter& writer);
-    std::filesystem::path journal_path() const { return folder_ / "history.part"; }
+    std::filesystem::path journal_path() const { return folder_ / io::journal_name; }
 
     std::filesystem::path folder_;
     io::HistorySource source_;

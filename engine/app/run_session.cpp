@@ -134,10 +134,7 @@ void RunSession::wind_up() {
     if (history_) history_->write();
 }
 
-void RunSession::discard_restart_files() {
-    io::remove_checkpoints(options_.folder / io::checkpoint_name);
-    if (history_) history_->discard_journal();
-}
+void RunSession::discard_restart_files() { io::remove_restart_files(options_.folder); }
 
 void RunSession::checkpoint() {
     note_timing();

@@ -23,6 +23,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Without one the run has ended, perhaps killed before it had cleared up, or never began.
+void require_checkpoint(const fs::path& folder) {
+    if (fs::exists(folder / io::checkpoint_name) ||
+        fs::exists(io::previous_checkpoint(folder / io::checkpoint_name)))
+        return;
+    const bool ended = fs::exists(folder / "summary.json");
+    if (ended) io::remove_restart_files(folder);
+    throw InputError(
+        {folder.string(), 0}, "nothing to resume",
+        ended ? "the run has ended: its summary.json is there" : "there is no checkpoint in this folder",
+        "run without --resume, or give the run's folder with -o");
+}
+
 RunOptions options_of(const RunRequest& a, const scene::Scene& scene) {
     RunOptions o;
     o.folder = !a.folder.empty()              ? fs::path(a.folder)
@@ -31,10 +44,7 @@ RunOptions options_of(const RunRequest& a, const scene::Scene& scene) {
     o.threads = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
     o.until = a.until > 0 ? std::min(a.until, scene.anchor.pull_to) : scene.anchor.pull_to;
     o.resume = a.resume;
-    if (o.resume && !fs::exists(o.folder / io::checkpoint_name) &&
-        !fs::exists(io::previous_checkpoint(o.folder / io::checkpoint_name)))
-        throw InputError({o.folder.string(), 0}, "nothing to resume", "there is no checkpoint in this folder",
-                         "run without --resume, or give the run's folder with -o");
+    if (o.resume) require_checkpoint(o.folder);
     return o;
 }
 

@@ -7,6 +7,8 @@
 
 namespace sandgraph::io {
 
+inline constexpr const char* journal_name = "history.part";  // in the run folder
+
 // The rows of a history log while a run goes on: a plain file that only grows, so that whatever kills the run
 // damages no more than its last rows. A resumed run cuts it back to its checkpoint.
 class HistoryJournal {

@@ -9,6 +9,7 @@
 #include "io/checkpoint.hpp"
 #include "io/frame_group.hpp"
 #include "io/h5_file.hpp"
+#include "io/history_journal.hpp"
 #include "io/xdmf.hpp"
 
 namespace sandgraph::io {
@@ -16,10 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 void remove_stale(const fs::path& folder) {
-    remove_checkpoints(folder / checkpoint_name);
-    for (const fs::path& path : {folder / "run.h5", folder / "summary.json", folder / "fields.xdmf",
-                                 folder / "history.h5", folder / "history.part", folder / "regions.csv"})
-        fs::remove(path);
+    remove_restart_files(folder);
+    for (const char* name : {"run.h5", "summary.json", "fields.xdmf", "history.h5", "regions.csv"})
+        fs::remove(folder / name);
 }
 
 void copy_frames(const fs::path& from, h5::Group& to, std::size_t count) {
@@ -36,6 +36,11 @@ std::int64_t archived_count(Archive& a, std::string_view name, std::size_t count
 }
 
 }  // namespace
+
+void remove_restart_files(const fs::path& folder) {
+    remove_checkpoints(folder / checkpoint_name);
+    fs::remove(folder / journal_name);
+}
 
 RunFile::RunFile(fs::path folder, RunRecord record)
     : folder_(std::move(folder)), record_(std::move(record)) {}

@@ -9,6 +9,10 @@
 
 namespace sandgraph::io {
 
+// Removes what only a resumed run needs: the checkpoints, then the history journal that they count on, so
+// that a kill in between leaves a run that can be resumed or one that has ended.
+void remove_restart_files(const std::filesystem::path& folder);
+
 // The growing outputs of a run folder: run.h5, load.csv, regions.csv, fields.xdmf. HDF5 cannot survive a kill
 // in mid-write, so run.h5 is never edited in place: commit() assembles run.h5.tmp (frames on disk are copied
 // over raw), brings it to the disk and renames it. Whenever the run is killed, run.h5 is the whole file of

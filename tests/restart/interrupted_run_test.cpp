@@ -177,6 +177,21 @@ TEST_F(InterruptedRun, StopsWhereAskedAndGoesOn) {
     expect_same("whole", "part");
 }
 
+// The restart files go one after another: a kill in between leaves some of them.
+TEST_F(InterruptedRun, KilledWhileItClearsUpIsResumedOrHasEnded) {
+    ASSERT_EQ(run("whole"), 0);
+    EXPECT_EQ(stop("killed", SIGKILL, 15), 128 + SIGKILL);
+    fs::rename(out("killed") / "checkpoint.h5", out("killed") / "checkpoint.h5.prev");
+    ASSERT_EQ(run("killed", {"--resume"}), 0);
+    expect_same("whole", "killed");
+    expect_same_history("whole", "killed");
+
+    std::ofstream(out("whole") / "history.part") << "rows";
+    EXPECT_EQ(run("whole", {"--resume"}), 2);
+    expect_same_history("killed", "whole");
+    EXPECT_TRUE(fs::exists(out("whole") / "summary.json"));
+}
+
 // Scripts take summary.json for the end of a run.
 TEST_F(InterruptedRun, KilledOnItsWayHasNoSummaryOfAnEarlierEnd) {
     ASSERT_EQ(run("part", {"--until", "0.002"}), 0);
