@@ -78,7 +78,8 @@ void ReferenceAssembly::advance_pair(Pair& pair, double dt) {
         pair.restored = false;
     }
     const Vec2 dv = v_[j] - v_[i];
-    const PairMotion motion{d, wrapped ? Vec2(dv + LH_ * c) : dv, spin_[i], spin_[j], dt * (spin_[j] - spin_[i])};
+    const PairMotion motion{d, wrapped ? Vec2(dv + LH_ * c) : dv, spin_[i], spin_[j],
+                            dt * (spin_[j] - spin_[i])};
     const bool touch = advance(t, pair.constants, motion, tan_phi_, material_.rolling_form, dt);
     pair.touch = t;
     if (!touch) return;
