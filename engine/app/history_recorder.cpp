@@ -100,14 +100,15 @@ void HistoryRecorder::archive(Archive& a) {
         journal_->append(pending_), pending_.clear();
         journal_->sync();
     }
-    a.field("history/counts", counts), a.field("history/length", length_);
+    field_of_known_length(a, "history/counts", counts), a.field("history/length", length_);
     a.field("history/time", last_time_);
     if (!a.reading()) return;
     if (length_.size() != histories_.size() || last_time_.size() != histories_.size())
         throw InputError({folder_.string()}, "the run to resume logs other points",
                          fmt::format("{} histories, {} now", length_.size(), histories_.size()),
                          "resume with the history_points it was started with");
-    logged_ = static_cast<std::size_t>(counts.at(0)), full_ = counts.at(1) != 0;
+    require_state(counts[0] >= 0, "history/counts");
+    logged_ = static_cast<std::size_t>(counts[0]), full_ = counts[1] != 0;
     journal_.emplace(journal_path(), logged_);
 }
 

@@ -43,9 +43,10 @@ io::LoadRow LoadRecorder::row(const graph::Pull& pull, double load) const {
 
 void LoadRecorder::archive(Archive& a) {
     std::vector<double> v = {next_, steps_, load_, leading_, trailing_, plate_work_, kinetic_share_max_};
-    a.field("load_recorder", v);
-    next_ = v.at(0), steps_ = v.at(1), load_ = v.at(2), leading_ = v.at(3), trailing_ = v.at(4);
-    plate_work_ = v.at(5), kinetic_share_max_ = v.at(6);
+    field_of_known_length(a, "load_recorder", v);
+    require_state(v[0] >= 0, "load_recorder");
+    next_ = v[0], steps_ = v[1], load_ = v[2], leading_ = v[3], trailing_ = v[4];
+    plate_work_ = v[5], kinetic_share_max_ = v[6];
 }
 
 }  // namespace sandgraph::app

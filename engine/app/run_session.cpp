@@ -9,6 +9,7 @@
 #include "app/make_frame.hpp"
 #include "app/progress.hpp"
 #include "app/revision.hpp"
+#include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/interrupt.hpp"
 #include "graph/screening_law.hpp"
@@ -61,7 +62,15 @@ RunSession::RunSession(const scene::Scene& scene, const PreparedGround& ground, 
 void RunSession::resume() {
     io::CheckpointReader reader(options_.folder / io::checkpoint_name, hash_of(scene_));
     if (!reader.notice().empty()) fmt::print(stderr, "{}\n", reader.notice());
-    archive(reader);
+    try {
+        archive(reader);
+    } catch (const StateError& error) {
+        throw InputError({(options_.folder / io::checkpoint_name).string()},
+                         "the checkpoint is none of this program's runs of this scene",
+                         fmt::format("{}; it was written by revision {}, this is {}", error.what(),
+                                     reader.header().git, revision()),
+                         "resume with the program that wrote it, or start anew, without --resume");
+    }
 }
 
 void RunSession::archive(Archive& a) {
@@ -71,11 +80,12 @@ void RunSession::archive(Archive& a) {
     if (history_) history_->archive(a);
     std::vector<double> clocks = {wall_seconds(), cpu_seconds(), static_cast<double>(next_frame_),
                                   last_load_};
-    a.field("session", clocks);
+    field_of_known_length(a, "session", clocks);
     if (!a.reading()) return;
+    require_state(clocks[2] >= 0 && clocks[2] <= static_cast<double>(scene_.output.frames.size()), "frames");
     regions_.resume_at(pull_->d_over_B());
-    wall_before_ = clocks.at(0), cpu_before_ = clocks.at(1);
-    next_frame_ = static_cast<std::size_t>(clocks.at(2)), last_load_ = clocks.at(3);
+    wall_before_ = clocks[0], cpu_before_ = clocks[1];
+    next_frame_ = static_cast<std::size_t>(clocks[2]), last_load_ = clocks[3];
 }
 
 RunEnd RunSession::run() {

@@ -3,6 +3,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/require_state.hpp"
+
 namespace sandgraph {
 
 // A place that named arrays go to (checkpoint written) or come from (checkpoint read), so that dem, mpm and
@@ -17,5 +19,14 @@ class Archive {
     virtual void field(std::string_view name, std::vector<std::int64_t>& values) = 0;
     virtual void field(std::string_view name, std::vector<std::uint8_t>& values) = 0;
 };
+
+// A field whose length is known before it is read; StateError when it comes with another.
+template <class T>
+void field_of_known_length(Archive& a, std::string_view name, std::vector<T>& values) {
+    std::vector<T> read = values;
+    a.field(name, read);
+    require_state(read.size() == values.size(), std::string(name).c_str());
+    values.swap(read);
+}
 
 }  // namespace sandgraph

@@ -2,9 +2,10 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
+
+#include "base/require_state.hpp"
 
 namespace sandgraph {
 
@@ -35,7 +36,7 @@ class ByteWriter {
     std::vector<std::uint8_t>& out_;
 };
 
-// Throws std::runtime_error when the bytes end too early.
+// Throws StateError when the bytes end too early or cannot be what is asked for.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::uint8_t> in) : in_(in) {}
@@ -43,24 +44,40 @@ class ByteReader {
     void take(T& value) {
         take(std::span<T>(&value, 1));
     }
+    void take(bool& value) {
+        std::uint8_t byte = 0;
+        take(byte);
+        require_state(byte <= 1, "flags");
+        value = byte != 0;
+    }
     template <class T>
     void take(std::span<T> values) {
         static_assert(std::is_trivially_copyable_v<T>);
-        if (values.size_bytes() > in_.size()) throw std::runtime_error("a checkpoint ends too early");
+        require_state(values.size_bytes() <= in_.size(), "lengths");
         if (!values.empty()) std::memcpy(values.data(), in_.data(), values.size_bytes());
         in_ = in_.subspan(values.size_bytes());
     }
     template <class T>
     void take(std::vector<T>& values) {
-        std::uint64_t size = 0;
-        take(size);
-        if (size > in_.size()) throw std::runtime_error("a checkpoint ends too early");
-        values.resize(size);
+        values.resize(take_size<T>());
+        take(std::span<T>(values));
+    }
+    // A vector that has its length already.
+    template <class T>
+    void take_same(std::vector<T>& values) {
+        require_state(take_size<T>() == values.size(), "lengths");
         take(std::span<T>(values));
     }
     bool empty() const { return in_.empty(); }
 
   private:
+    template <class T>
+    std::size_t take_size() {
+        std::uint64_t size = 0;
+        take(size);
+        require_state(size <= in_.size() / sizeof(T), "lengths");
+        return size;
+    }
     std::span<const std::uint8_t> in_;
 };
 

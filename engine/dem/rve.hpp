@@ -54,7 +54,7 @@ class Rve {
     double porosity() const;
     const CompactPacking& packing() const { return own_ ? *own_ : *initial_; }
 
-    // For checkpoints. The initial packing is not part of the state.
+    // For checkpoints. The initial packing is not part of the state; StateError for what is no state of it.
     void save(ByteWriter& out) const;
     void load(ByteReader& in);
 

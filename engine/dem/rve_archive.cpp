@@ -1,3 +1,7 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
 #include "dem/rve.hpp"
 
 namespace sandgraph::dem {
@@ -22,6 +26,26 @@ void load_packing(CompactPacking& p, ByteReader& in) {
     in.take(p.tangential), in.take(p.moment);
 }
 
+// The pair loop indexes by these without a look; the padding grain N is one of its partners.
+void require_sound(const CompactPacking& p) {
+    const std::size_t grains = p.grains->radius.size(), slots = p.i.size();
+    require_state(p.position.size() == 2 * grains && p.velocity.size() == 3 * grains, "grains");
+    require_state(slots % FastState::kLanes == 0 && p.j.size() == slots && p.image.size() == slots &&
+                      p.tangential.size() == slots && p.moment.size() == slots,
+                  "pairs");
+    const auto most = static_cast<int>(slots);
+    require_state(p.pairs >= 0 && p.pairs <= most && p.inner >= 0 && p.inner <= most &&
+                      p.inner % FastState::kLanes == 0,
+                  "pairs");
+    require_indices(p.i, grains + 1, "pairs"), require_indices(p.j, grains + 1, "pairs");
+    require_indices(p.image, 9, "pairs");
+    require_state(p.H.allFinite() && p.H.determinant() > 0, "cells");
+    const auto finite = [](double value) { return std::isfinite(value); };
+    require_state(std::ranges::all_of(p.position, finite) && std::ranges::all_of(p.velocity, finite) &&
+                      std::ranges::all_of(p.tangential, finite) && std::ranges::all_of(p.moment, finite),
+                  "numbers");
+}
+
 }  // namespace
 
 void Rve::save(ByteWriter& out) const {
@@ -38,9 +62,11 @@ void Rve::load(ByteReader& in) {
     take(in, pending_);
     own_.reset();
     if (!own) return;
-    own_ = std::make_unique<CompactPacking>();
-    own_->grains = initial_->grains;
-    load_packing(*own_, in);
+    auto packing = std::make_unique<CompactPacking>();
+    packing->grains = initial_->grains;
+    load_packing(*packing, in);
+    require_sound(*packing);
+    own_ = std::move(packing);
 }
 
 }  // namespace sandgraph::dem

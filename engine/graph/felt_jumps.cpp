@@ -1,6 +1,7 @@
 #include "graph/felt_jumps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "graph/stress_arithmetic.hpp"
@@ -41,11 +42,17 @@ void FeltJumps::forget_ended() {
         watch_of_[static_cast<std::size_t>(watches_[k].point)] = static_cast<std::int32_t>(k);
 }
 
-void FeltJumps::load(ByteReader& in) {
+void FeltJumps::load(ByteReader& in, std::size_t switches) {
     in.take(watches_);
     std::ranges::fill(watch_of_, -1);
-    for (std::size_t k = 0; k < watches_.size(); ++k)
-        watch_of_[static_cast<std::size_t>(watches_[k].point)] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < watches_.size(); ++k) {
+        const Watch& w = watches_[k];
+        require_indices(std::array{w.of}, switches, "watches");
+        require_indices(std::array{w.point}, watch_of_.size(), "watches");
+        std::int32_t& place = watch_of_[static_cast<std::size_t>(w.point)];
+        require_state(place < 0, "watches");
+        place = static_cast<std::int32_t>(k);
+    }
 }
 
 }  // namespace sandgraph::graph

@@ -26,7 +26,7 @@ class FeltJumps {
     void watch(const std::vector<Switch>& switches);
 
     void save(ByteWriter& out) const { out.put(watches_); }
-    void load(ByteReader& in);
+    void load(ByteReader& in, std::size_t switches);  // how many there are
 
   private:
     struct Watch {

@@ -17,8 +17,8 @@ void GroundState::archive(Archive& a) {
     mpm::archive(a, plate);
     mpm::archive(a, contact);
     std::vector<double> work = {stress_work};
-    a.field("work", work);
-    stress_work = work.at(0);
+    field_of_known_length(a, "work", work);
+    stress_work = work.front();
     law->archive(a);
     if (a.reading()) order.stale = true;
 }

@@ -46,9 +46,9 @@ double Pull::trailing() const {
 void Pull::archive(Archive& a) {
     std::vector<double> clock = {time_, travelled_};
     std::vector<std::int64_t> count = {steps_};
-    a.field("clock", clock);
-    a.field("steps", count);
-    time_ = clock.at(0), travelled_ = clock.at(1), steps_ = count.at(0);
+    field_of_known_length(a, "clock", clock);
+    field_of_known_length(a, "steps", count);
+    time_ = clock[0], travelled_ = clock[1], steps_ = count[0];
     state_->archive(a);
 }
 

@@ -17,6 +17,7 @@ void RveLaw::archive(Archive& a) {
     in.take(counters_);
     visits_.load(in);
     for (dem::Rve& r : rves_) r.load(in);
+    require_state(in.empty(), "lengths");
 }
 
 }  // namespace sandgraph::graph

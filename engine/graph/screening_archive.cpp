@@ -1,3 +1,5 @@
+#include <array>
+
 #include "base/byte_stream.hpp"
 #include "graph/screening_law.hpp"
 
@@ -10,6 +12,8 @@ void put(ByteWriter& out, const std::vector<dem::Rve>& rves) {
 void take(ByteReader& in, std::vector<dem::Rve>& rves) {
     for (dem::Rve& r : rves) r.load(in);
 }
+
+bool known(Reason reason) { return static_cast<std::size_t>(reason) < reason_count; }
 
 }  // namespace
 
@@ -42,18 +46,33 @@ void ScreeningLaw::save(ByteWriter& out) const {
 
 void ScreeningLaw::load(ByteReader& in) {
     visits_.load(in);
-    in.take(mode_), in.take(reason_), in.take(states_), in.take(blend_), in.take(fade_left_);
+    in.take_same(mode_), in.take_same(reason_);
+    in.take_same(states_), in.take_same(blend_), in.take_same(fade_left_);
     for (std::size_t p = 0; p < size(); ++p) {
         in.take(std::span<double>(F_[p].data(), 4));
         paths_[p].load(in);
     }
     take(in, rves_), take(in, audit_rves_);
     std::uint64_t points = 0;
-    in.take(audit_errors_), in.take(fading_), in.take(points);
+    in.take_same(audit_errors_), in.take(fading_), in.take(points);
     dem_points_ = points;
     in.take(next_audit_), in.take(audits_), in.take(switches_);
     in.take(counters_), in.take(screening_);
-    felt_.load(in);
+    felt_.load(in, switches_.size());
+    require_state(in.empty(), "lengths");
+    require_sound();
+}
+
+void ScreeningLaw::require_sound() const {
+    for (const PointMode mode : mode_) require_state(mode <= PointMode::flow, "modes");
+    for (const Reason reason : reason_) require_state(known(reason), "reasons");
+    require_indices(fading_, size(), "fading points");
+    for (const std::int32_t p : fading_) require_state(fade_left_[p] > 0, "fading points");
+    require_state(dem_points_ <= size(), "counts");
+    for (const Switch& s : switches_) {
+        require_state(known(s.reason), "switches");
+        require_indices(std::array{s.point}, size(), "switches");
+    }
 }
 
 }  // namespace sandgraph::graph

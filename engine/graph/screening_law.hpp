@@ -63,6 +63,7 @@ class ScreeningLaw : public stress::Law {
     };
     void save(ByteWriter& out) const;
     void load(ByteReader& in);
+    void require_sound() const;
     const RowPacking& row(std::int32_t point) const;
     const stress::PackingTraits& traits(std::int32_t point) const;
     void predict_point(std::int32_t point, const stress::Batch& batch, const VisitSettings& of_grains);

@@ -20,7 +20,8 @@ void put(ByteWriter& out, const std::vector<Mat2>& list) {
 void take(ByteReader& in, std::vector<Mat2>& list) {
     std::uint64_t size = 0;
     in.take(size);
-    list.resize(std::min<std::uint64_t>(size, StrainPath::knots_max));
+    require_state(size <= StrainPath::knots_max, "strain paths");
+    list.resize(size);
     for (Mat2& m : list) in.take(std::span<double>(m.data(), 4));
 }
 

@@ -37,7 +37,7 @@ void Visits::save(ByteWriter& out) const {
 }
 
 void Visits::load(ByteReader& in) {
-    in.take(change_), in.take(allowance_), in.take(waited_);
+    in.take_same(change_), in.take_same(allowance_), in.take_same(waited_);
     for (Mat2& F : collected_) in.take(std::span<double>(F.data(), 4));
 }
 

@@ -59,8 +59,9 @@ void advance_slip(const RigidPlate& plate, const Grid& grid, double dt, Contact&
 }
 
 void archive(Archive& a, Contact& contact) {
-    a.field("contact/slip", contact.slip);
-    a.field("contact/face", contact.face);
+    field_of_known_length(a, "contact/slip", contact.slip);
+    field_of_known_length(a, "contact/face", contact.face);
+    require_indices(contact.face, kFaces, "contact/face");
 }
 
 }  // namespace sandgraph::mpm

@@ -11,6 +11,7 @@
 namespace sandgraph::mpm {
 
 enum class Face : std::uint8_t { none, top, bottom, left, right };
+inline constexpr std::size_t kFaces = 5;
 
 // One point that touches the plate in this step.
 struct Touch {

@@ -27,8 +27,8 @@ void archive(Archive& a, RigidPlate& plate) {
         &r.vertical,        &r.horizontal,      &r.vertical_gradient,  &r.horizontal_gradient};
     std::vector<double> flat;
     for (const double* v : values) flat.push_back(*v);
-    a.field("plate/state", flat);
-    for (std::size_t k = 0; k < std::size(values); ++k) *values[k] = flat.at(k);
+    field_of_known_length(a, "plate/state", flat);
+    for (std::size_t k = 0; k < std::size(values); ++k) *values[k] = flat[k];
 }
 
 }  // namespace sandgraph::mpm

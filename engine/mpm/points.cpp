@@ -10,28 +10,26 @@ namespace {
 void archive(Archive& a, const std::string& name, std::vector<Mat2>& values) {
     std::vector<double> flat;
     for (const Mat2& m : values) flat.insert(flat.end(), m.data(), m.data() + 4);
-    a.field(name, flat);
+    field_of_known_length(a, name, flat);
     if (!a.reading()) return;
-    values.resize(flat.size() / 4);
     for (std::size_t p = 0; p < values.size(); ++p) std::copy_n(flat.data() + 4 * p, 4, values[p].data());
 }
 
 void archive(Archive& a, const std::string& name, std::vector<Stress>& values) {
     std::vector<double> flat;
     for (const Stress& s : values) flat.insert(flat.end(), {s.xx, s.yy, s.xy});
-    a.field(name, flat);
+    field_of_known_length(a, name, flat);
     if (!a.reading()) return;
-    values.resize(flat.size() / 3);
     for (std::size_t p = 0; p < values.size(); ++p)
         values[p] = {flat[3 * p], flat[3 * p + 1], flat[3 * p + 2]};
 }
 
-void archive(Archive& a, const std::string& name, std::vector<std::int32_t>& values) {
-    std::vector<std::int64_t> wide(values.begin(), values.end());
-    a.field(name, wide);
-    values.resize(wide.size());
-    std::transform(wide.begin(), wide.end(), values.begin(),
-                   [](auto v) { return static_cast<std::int32_t>(v); });
+// Indices that the scene gives: they are kept to tell another ground.
+void confirm(Archive& a, const std::string& name, const std::vector<std::int32_t>& values) {
+    const std::vector<std::int64_t> wide(values.begin(), values.end());
+    std::vector<std::int64_t> read = wide;
+    a.field(name, read);
+    require_state(read == wide, name.c_str());
 }
 
 }  // namespace
@@ -48,20 +46,20 @@ void resize(Points& points, std::size_t count) {
 
 void archive(Archive& a, Points& points) {
     std::vector<double> half{points.half};
-    a.field("points/half", half);
-    points.half = half.at(0);
-    a.field("points/x", points.x);
-    a.field("points/y", points.y);
-    a.field("points/vx", points.vx);
-    a.field("points/vy", points.vy);
-    a.field("points/mass", points.mass);
-    a.field("points/volume0", points.volume0);
-    a.field("points/volume", points.volume);
+    field_of_known_length(a, "points/half", half);
+    points.half = half.front();
+    field_of_known_length(a, "points/x", points.x);
+    field_of_known_length(a, "points/y", points.y);
+    field_of_known_length(a, "points/vx", points.vx);
+    field_of_known_length(a, "points/vy", points.vy);
+    field_of_known_length(a, "points/mass", points.mass);
+    field_of_known_length(a, "points/volume0", points.volume0);
+    field_of_known_length(a, "points/volume", points.volume);
     archive(a, "points/F", points.F);
     archive(a, "points/F_inc", points.F_inc);
     archive(a, "points/stress", points.stress);
-    archive(a, "points/row", points.row);
-    archive(a, "points/surface", points.surface);
+    confirm(a, "points/row", points.row);
+    confirm(a, "points/surface", points.surface);
 }
 
 }  // namespace sandgraph::mpm

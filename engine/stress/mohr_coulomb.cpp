@@ -76,6 +76,6 @@ double MohrCoulomb::p_wave_modulus() const {
     return ElasticConstants{constants_.young, constants_.poisson}.p_wave();
 }
 
-void MohrCoulomb::archive(Archive& a) { a.field("mohr_coulomb/stress_zz", zz_); }
+void MohrCoulomb::archive(Archive& a) { field_of_known_length(a, "mohr_coulomb/stress_zz", zz_); }
 
 }  // namespace sandgraph::stress

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "dem/packing_csv.hpp"
 #include "fuzz/samples.hpp"
+#include "fuzz/small_state.hpp"
 #include "io/checkpoint.hpp"
 #include "io/history_file.hpp"
 #include "io/info.hpp"
@@ -48,6 +49,16 @@ void read_resealed(const fs::path& file) {
     reseal(file);
     read_fields(file);
 }
+// A checkpoint's state in whole, past the seal, as a run that is resumed reads it.
+void read_state(const fs::path& file) {
+    reseal(file);
+    io::CheckpointReader in(file, "hash");
+    try {
+        small_state()->archive(in);
+    } catch (const StateError& error) {
+        throw InputError({file.string()}, error.what(), "not a state", "start anew");
+    }
+}
 void read_model(const fs::path& file) {
     reseal(file);
     surrogate::load_surrogate(file);
@@ -58,7 +69,7 @@ void read_run(const fs::path& file) {
     for (std::size_t k = 0; k < run.frames; ++k) io::read_run_frame(file, k);
 }
 
-constexpr std::array<Reader, 14> table = {{
+constexpr std::array<Reader, 15> table = {{
     {"scene", ".toml", [](const fs::path& f) { scene::read_scene(f.string()); }, write_scene},
     {"element_test", ".toml", [](const fs::path& f) { scene::read_element_test(f.string()); },
      write_element_test},
@@ -71,6 +82,7 @@ constexpr std::array<Reader, 14> table = {{
     {"info", ".h5", [](const fs::path& f) { io::info(f); }, write_run},
     {"checkpoint", ".h5", read_fields, write_checkpoint},
     {"resealed", ".h5", read_resealed, write_checkpoint},
+    {"state", ".h5", read_state, write_state},
     {"history_h5", ".h5", [](const fs::path& f) { io::read_history(f); }, write_history},
     {"model_h5", ".h5", read_model, write_model},
     {"run_h5", ".h5", read_run, write_run},

@@ -8,8 +8,8 @@ set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 top=$(readlink -f "$here/../..")
 bin=$top/build/fuzz
-all=(scene element_test recipe probe train segments packing_csv packing_h5 info checkpoint resealed history_h5 model_h5
-     run_h5)
+all=(scene element_test recipe probe train segments packing_csv packing_h5 info checkpoint resealed state history_h5
+     model_h5 run_h5)
 # Bounds of one input: 256 MiB in one allocation, 2 GiB in all, 10 s. Leaks are sought when a part of the campaign ends:
 # after every input it would take nine tenths of the time.
 bounds=(-malloc_limit_mb=256 -rss_limit_mb=2048 -timeout=10 -detect_leaks=0)

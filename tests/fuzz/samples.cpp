@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "dem/packing_csv.hpp"
+#include "fuzz/small_state.hpp"
 #include "io/checkpoint.hpp"
 #include "io/history_file.hpp"
 #include "io/packing_file.hpp"
@@ -13,15 +14,6 @@
 namespace sandgraph::fuzz {
 namespace fs = std::filesystem;
 namespace {
-
-dem::Packing two_grains() {
-    dem::Packing packing;
-    packing.H << 0.02, 0, 0, 0.01;
-    packing.x = {0.005, 0.0148}, packing.y = {0.005, 0.005}, packing.r = {0.005, 0.005};
-    packing.vx = packing.vy = packing.spin = {0, 0};
-    packing.contacts = {{.i = 0, .j = 1, .tangential = 0.1, .moment = 1e-5}};
-    return packing;
-}
 
 io::HistoryPacking history_packing() {
     io::HistoryPacking packing;
@@ -36,6 +28,15 @@ io::Frame frame() {
 }
 
 }  // namespace
+
+dem::Packing two_grains() {
+    dem::Packing packing;
+    packing.H << 0.02, 0, 0, 0.01;
+    packing.x = {0.005, 0.0148}, packing.y = {0.005, 0.005}, packing.r = {0.005, 0.005};
+    packing.vx = packing.vy = packing.spin = {0, 0};
+    packing.contacts = {{.i = 0, .j = 1, .tangential = 0.1, .moment = 1e-5}};
+    return packing;
+}
 
 void write_text(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
@@ -83,6 +84,15 @@ void write_checkpoint(const fs::path& file) {
     std::vector<std::uint8_t> bytes(100, 7);
     out.field("numbers", numbers);
     out.field("bytes", bytes);
+    out.commit();
+}
+
+void write_state(const fs::path& file) {
+    fs::remove(file);
+    io::CheckpointWriter out(file, {"hash", "git", 0.1});
+    const auto state = small_state();
+    shear(*state);
+    state->archive(out);
     out.commit();
 }
 

@@ -2,8 +2,12 @@
 #include <filesystem>
 #include <string>
 
+#include "dem/packing.hpp"
+
 // Valid files of every kind, small, for fuzzing to start from.
 namespace sandgraph::fuzz {
+
+dem::Packing two_grains();
 
 void write_text(const std::filesystem::path& file, const std::string& text);
 void write_csv(const std::filesystem::path& file);
@@ -15,6 +19,7 @@ void write_segments(const std::filesystem::path& file);
 void write_probe(const std::filesystem::path& file);
 void write_train(const std::filesystem::path& file);
 void write_checkpoint(const std::filesystem::path& file);
+void write_state(const std::filesystem::path& file);  // a checkpoint of a whole ground
 void write_history(const std::filesystem::path& file);
 void write_run(const std::filesystem::path& file);
 void write_model(const std::filesystem::path& file);

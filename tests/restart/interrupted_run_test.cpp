@@ -7,14 +7,17 @@
 #include <sstream>
 #include <thread>
 
+#include "io/h5_handle.hpp"
 #include "io/history_file.hpp"
 #include "io/packing_file.hpp"
 #include "io/run_record.hpp"
+#include "io/seal.hpp"
 #include "tests/support/program.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+namespace io = sandgraph::io;
 
 // A pull of some seconds: 100 grains a point, 0.25 m cells.
 constexpr const char* kScene = R"(
@@ -198,6 +201,24 @@ TEST_F(InterruptedRun, KilledOnItsWayHasNoSummaryOfAnEarlierEnd) {
     ASSERT_TRUE(fs::exists(out("part") / "summary.json"));
     EXPECT_EQ(stop("part", SIGKILL, 4, {"--resume"}), 128 + SIGKILL);
     EXPECT_FALSE(fs::exists(out("part") / "summary.json"));
+}
+
+// Whole and sealed, of this scene, and yet no state of it: as another version of the program would leave it.
+TEST_F(InterruptedRun, RefusesACheckpointWhoseStateIsAnothers) {
+    EXPECT_EQ(stop("part", SIGINT, 3), 3);
+    const fs::path file = out("part") / "checkpoint.h5";
+    {
+        const io::h5::Handle whole(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose),
+            data(H5Dopen2(whole.get(), "state/rve", H5P_DEFAULT), H5Dclose),
+            space(H5Dget_space(data.get()), H5Sclose);
+        const std::vector<std::uint8_t> other(
+            static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())), 0xff);
+        ASSERT_GE(H5Dwrite(data.get(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, other.data()), 0);
+    }
+    io::seal(file);
+    const std::string before = text_of(file);
+    EXPECT_EQ(run("part", {"--resume"}), 2);
+    EXPECT_EQ(text_of(file), before);
 }
 
 TEST_F(InterruptedRun, RefusesAFolderThatCannotBe) {

@@ -185,7 +185,7 @@ TEST(ContactArchive, BringsHistoryAndPlateBack) {
     support::MemoryArchive memory;
     archive(memory, e.contact);
     archive(memory, e.plate);
-    Contact contact;
+    Contact contact = make_contact(e.contact.slip.size());
     RigidPlate plate;
     memory.read_from_now_on();
     archive(memory, contact);
@@ -195,6 +195,20 @@ TEST(ContactArchive, BringsHistoryAndPlateBack) {
     EXPECT_EQ(plate.y, e.plate.y);
     EXPECT_EQ(plate.velocity, e.plate.velocity);
     EXPECT_EQ(plate.rest.horizontal, e.plate.rest.horizontal);
+}
+
+TEST(ContactArchive, RefusesOtherPointsAndUnknownFaces) {
+    Contact three = make_contact(3), four = make_contact(4), odd = make_contact(3);
+    odd.face[1] = kFaces;
+    const auto read_into = [](Contact from, Contact into) {
+        support::MemoryArchive memory;
+        archive(memory, from);
+        memory.read_from_now_on();
+        archive(memory, into);
+    };
+    EXPECT_NO_THROW(read_into(three, three));
+    EXPECT_THROW(read_into(four, three), StateError);
+    EXPECT_THROW(read_into(odd, three), StateError);
 }
 
 }  // namespace

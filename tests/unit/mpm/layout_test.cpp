@@ -28,7 +28,7 @@ TEST(Layout, RowsCountFromTheSurface) {
 }
 
 TEST(PointsArchive, BringsEveryBitBack) {
-    Points points = support::random_ground(5, 6, 4, 11), copy;
+    Points points = support::random_ground(5, 6, 4, 11), copy = support::random_ground(5, 6, 4, 12);
     points.F[3] << 1.25, 0.5, -0.25, 0.75;
     points.F_inc[4] << 1.01, 0.02, -0.03, 0.99;
     support::MemoryArchive memory;
@@ -44,6 +44,19 @@ TEST(PointsArchive, BringsEveryBitBack) {
     EXPECT_EQ(copy.stress, points.stress);
     EXPECT_EQ(copy.row, points.row);
     EXPECT_EQ(copy.surface, points.surface);
+}
+
+TEST(PointsArchive, RefusesAnotherGround) {
+    const auto read_into = [](Points other) {
+        Points points = support::random_ground(5, 6, 4, 11);
+        support::MemoryArchive memory;
+        archive(memory, points);
+        memory.read_from_now_on();
+        archive(memory, other);
+    };
+    EXPECT_NO_THROW(read_into(support::random_ground(5, 6, 4, 12)));
+    EXPECT_THROW(read_into(support::random_ground(4, 6, 4, 12)), StateError) << "fewer points";
+    EXPECT_THROW(read_into(support::random_ground(6, 5, 4, 12)), StateError) << "as many points, other rows";
 }
 
 }  // namespace
