@@ -81,7 +81,7 @@ class InterruptedRun : public testing::Test {
     int stop(const std::string& name, int signal, std::size_t rows,
              std::vector<std::string> more = {}) const {
         const pid_t pid = start(name, std::move(more));
-        for (int wait = 0; wait < 20000; ++wait) {
+        while (sandgraph::support::program_runs(pid)) {
             const std::string load = text_of(out(name) / "load.csv");
             if (fs::exists(out(name) / "checkpoint.h5") &&
                 std::count(load.begin(), load.end(), '\n') > long(rows))
