@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/probe.hpp"
 #include "app/stage_progress.hpp"
+#include "io/history_file.hpp"
 #include "scene/train_spec.hpp"
 
 namespace sandgraph::app {
@@ -33,10 +34,10 @@ fs::path trainer() {
 std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
     if (spec.probe.empty()) return "";
     const fs::path log = fs::path(out).replace_extension(".probes.h5");
-    if (fs::exists(log) && fs::last_write_time(log) > fs::last_write_time(spec.probe)) return log.string();
+    const scene::ProbeSpec probe = scene::read_probe(spec.probe);
+    if (fs::exists(log) && io::read_history_source(log).text == probe.text) return log.string();
     StageProgress progress;
-    write_probe(scene::read_probe(spec.probe), log,
-                [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    write_probe(probe, log, [&progress](std::string_view stage, double f) { progress.update(stage, f); });
     return log.string();
 }
 

@@ -130,10 +130,10 @@ Comparison compare_runs(const FinishedRun& reference, const FinishedRun& other) 
     out.cpu_ratio = reference.summary.cpu_s / other.summary.cpu_s;
     out.dem_share_mean = other.summary.dem_fraction_mean, out.dem_share = other.summary.dem_fraction_final;
     out.audit_mean = other.summary.audit.stress_error_mean, out.audit_ci95 = other.summary.audit.ci95;
-    out.jump_p95 = other.number("jump_p95"), out.felt_p95 = other.number("jump_felt_p95");
-    out.ordinary_p95 = other.number("ordinary_step_p95");
-    out.replay_share =
-        other.number("dem_steps_replay") / std::max(1.0, static_cast<double>(other.summary.dem_steps));
+    out.jump_p95 = other.summary.number("jump_p95"), out.felt_p95 = other.summary.number("jump_felt_p95");
+    out.ordinary_p95 = other.summary.number("ordinary_step_p95");
+    out.replay_share = other.summary.number("dem_steps_replay") /
+                       std::max(1.0, static_cast<double>(other.summary.dem_steps));
     return out;
 }
 

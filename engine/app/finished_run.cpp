@@ -5,12 +5,6 @@
 
 namespace sandgraph::app {
 
-double FinishedRun::number(const std::string& key) const {
-    for (const auto& [name, value] : summary.extra)
-        if (name == key) return value;
-    return io::Summary::unknown;
-}
-
 FinishedRun read_finished_run(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder / "run.h5"))
         throw InputError({folder.string()}, "no run", "a run folder holds run.h5",
@@ -22,7 +16,7 @@ FinishedRun read_finished_run(const std::filesystem::path& folder) {
     run.folder = folder;
     run.record = io::read_run(folder / "run.h5");
     run.summary = io::read_summary(folder / "summary.json");
-    run.scene = scene::parse_scene(run.record.info.scene_text, folder.filename().string());
+    run.scene = scene::recorded_scene(run.record.info.scene_text, folder.filename().string());
     return run;
 }
 

@@ -16,7 +16,6 @@ struct FinishedRun {
     io::Summary summary;
 
     std::filesystem::path frame_file() const { return folder / "run.h5"; }
-    double number(const std::string& key) const;  // of the summary's further keys; NaN if it has none such
 };
 
 // InputError when the folder holds no finished run (run.h5 and summary.json).

@@ -1,23 +1,7 @@
 #include "app/history_row.hpp"
 
-#include "base/hash.hpp"
-
 namespace sandgraph::app {
 namespace {
-
-template <class T>
-void add(Hasher& hasher, const std::vector<T>& values) {
-    hasher.add(std::as_bytes(std::span(values)));
-}
-
-std::int64_t packing_hash(const dem::CompactPacking& p) {
-    Hasher hasher;
-    add(hasher, p.grains->radius), add(hasher, p.position);
-    add(hasher, p.i), add(hasher, p.j), add(hasher, p.image);
-    add(hasher, p.tangential), add(hasher, p.moment);
-    hasher.add(std::as_bytes(std::span(p.H.data(), 4)));
-    return static_cast<std::int64_t>(hasher.value());
-}
 
 io::HistoryDensity density_of(const std::string& name) {
     return name == "dense"   ? io::HistoryDensity::dense
@@ -47,7 +31,7 @@ io::HistoryRow history_row(const graph::RveUpdate& u) {
 
 io::HistoryPacking history_packing(const graph::RowPacking& row, const stress::PackingTraits& traits,
                                    const scene::Grains& grains) {
-    return {packing_hash(*row.packing),
+    return {dem::content_hash(*row.packing),
             static_cast<std::int64_t>(grains.seed),
             density_of(grains.density),
             grains.target_porosity,

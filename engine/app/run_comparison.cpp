@@ -27,7 +27,7 @@ std::string text(double value, int digits) {
 
 // H/B; under a surcharge that of the same overburden.
 double embedment_of(const FinishedRun& run) {
-    const double equivalent = run.number("equivalent_embedment_ratio");
+    const double equivalent = run.summary.number("equivalent_embedment_ratio");
     return std::isfinite(equivalent) ? equivalent : run.scene.anchor.embedment_ratio;
 }
 
@@ -46,7 +46,7 @@ std::vector<report::BreakoutSeries> series(const std::vector<FinishedRun>& runs)
     for (const FinishedRun& run : runs) {
         report::BreakoutSeries& s = found[series_of(run)];
         s.label = series_of(run), s.horizontal = pulled_up(run.scene);
-        const double phi = run.number("friction_angle_deg") * kDegree;
+        const double phi = run.summary.number("friction_angle_deg") * kDegree;
         if (std::isfinite(phi)) s.friction_angle += phi;
         s.embedment.push_back(embedment_of(run)), s.n_gamma.push_back(run.summary.n_gamma);
     }
@@ -62,7 +62,7 @@ report::LoadPicture load_picture(const std::vector<FinishedRun>& runs, bool up) 
     report::LoadPicture picture{up ? "Horizontal plates" : "Vertical plates", {}, {}};
     for (const FinishedRun& run : runs) {
         if (pulled_up(run.scene) != up) continue;
-        const double unit = run.number("unit_load_N_per_m");
+        const double unit = run.summary.number("unit_load_N_per_m");
         picture.curves.push_back(
             load_curve({run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1, 0}));
         picture.curves.back().label = fmt::format("{}, H/B = {:.3g} ({})", series_of(run), embedment_of(run),

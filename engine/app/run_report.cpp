@@ -38,7 +38,7 @@ std::vector<Row> result_rows(const FinishedRun& run) {
     return {{"result", ""},
             {"breakout factor N_gamma", number(s.n_gamma, 3)},
             {pulled_up(run.scene) ? "Meyerhof & Adams (1968)" : "Biarez et al. (1965)", number(formula, 3)},
-            {"friction angle of the packing [deg]", number(run.number("friction_angle_deg"), 3)},
+            {"friction angle of the packing [deg]", number(run.summary.number("friction_angle_deg"), 3)},
             {"breakout load Q_u [kN/m]", number(s.peak_load / 1000, 4)},
             {"at d/B", number(s.peak_d_over_B, 3)},
             {"late load [kN/m]", number(s.late_load / 1000, 4)},
@@ -132,7 +132,8 @@ std::vector<FinishedRun> find_runs(const std::vector<std::string>& folders) {
 }
 
 std::string run_chapter(const FinishedRun& run, const fs::path& pictures, const ChapterOptions& options) {
-    const double phi = run.number("friction_angle_deg"), unit = run.number("unit_load_N_per_m");
+    const double phi = run.summary.number("friction_angle_deg"),
+                 unit = run.summary.number("unit_load_N_per_m");
     const std::string told = draw_pictures(
         pictures, {run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1,
                    std::isfinite(phi) ? phi * kDegree : 0, frames_shown(run, options.frames_max)});

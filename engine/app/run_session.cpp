@@ -73,19 +73,26 @@ void RunSession::resume() {
     }
 }
 
+// run.h5 comes last: it is cut back to the checkpoint, and whatever is refused before leaves the folder
+// alone.
 void RunSession::archive(Archive& a) {
     pull_->archive(a);
     loads_.archive(a);
-    file_.archive(a);
-    if (history_) history_->archive(a);
-    std::vector<double> clocks = {wall_seconds(), cpu_seconds(), static_cast<double>(next_frame_),
-                                  last_load_};
+    std::vector<double> clocks = {wall_seconds(), cpu_seconds(), last_load_};
     field_of_known_length(a, "session", clocks);
+    if (history_) history_->archive(a);
+    file_.archive(a);
     if (!a.reading()) return;
-    require_state(clocks[2] >= 0 && clocks[2] <= static_cast<double>(scene_.output.frames.size()), "frames");
     regions_.resume_at(pull_->d_over_B());
-    wall_before_ = clocks[0], cpu_before_ = clocks[1];
-    next_frame_ = static_cast<std::size_t>(clocks[2]), last_load_ = clocks[3];
+    wall_before_ = clocks[0], cpu_before_ = clocks[1], last_load_ = clocks[2];
+    timing_before_ = file_.record().timing;
+    skip_frames();
+}
+
+// Frames that the run has passed; the marks may be others than before, they change no physics.
+void RunSession::skip_frames() {
+    const auto& marks = scene_.output.frames;
+    while (next_frame_ < marks.size() && pull_->d_over_B() >= marks[next_frame_] - kReached) ++next_frame_;
 }
 
 RunEnd RunSession::run() {
@@ -121,8 +128,7 @@ void RunSession::after_step() {
 }
 
 void RunSession::record_frame() {
-    const auto& marks = scene_.output.frames;
-    while (next_frame_ < marks.size() && pull_->d_over_B() >= marks[next_frame_] - kReached) ++next_frame_;
+    skip_frames();
     auto frame = std::make_shared<io::Frame>(make_frame(*pull_, start_, initial_porosity_));
     writer_.post([this, frame] { file_.append(*frame); });
 }
@@ -132,14 +138,23 @@ void RunSession::audit_at_end() {
         law->audit_now(pull_->d_over_B());
 }
 
-void RunSession::note_timing() {
+void RunSession::note_costs() {
     writer_.drain();
-    file_.set_screening(screening_record(*pull_->state().law));
-    for (const graph::PhaseTime& t : pull_->graph().times()) file_.set_timing(t.name, t.seconds);
+    const stress::Law& law = *pull_->state().law;
+    file_.set_screening(screening_record(law));
+    const GrainUse grains = grain_use(law);
+    file_.set_counter("active", static_cast<double>(grains.active));
+    file_.set_counter("dem_steps", static_cast<double>(grains.dem_steps));
+    file_.set_counter("updates", static_cast<double>(grains.updates));
+    file_.set_counter("failures", static_cast<double>(grains.failures));
+    for (const graph::PhaseTime& t : pull_->graph().times()) {
+        const auto before = timing_before_.find(t.name);
+        file_.set_timing(t.name, t.seconds + (before == timing_before_.end() ? 0 : before->second));
+    }
 }
 
 void RunSession::wind_up() {
-    note_timing();
+    note_costs();
     file_.commit();
     if (history_) history_->write();
 }
@@ -147,7 +162,7 @@ void RunSession::wind_up() {
 void RunSession::discard_restart_files() { io::remove_restart_files(options_.folder); }
 
 void RunSession::checkpoint() {
-    note_timing();
+    note_costs();
     io::CheckpointWriter out(options_.folder / io::checkpoint_name,
                              {hash_of(scene_), revision(), pull_->d_over_B()});
     archive(out);

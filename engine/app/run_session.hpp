@@ -43,9 +43,10 @@ class RunSession {
   private:
     void after_step();
     void record_frame();
+    void skip_frames();
     void checkpoint();
     void wind_up();
-    void note_timing();
+    void note_costs();
     void audit_at_end();
     void archive(Archive& a);
     void resume();
@@ -61,6 +62,7 @@ class RunSession {
     std::optional<HistoryRecorder> history_;  // where the scene asks for it
     std::size_t next_frame_ = 0;
     double last_load_ = 0;
+    std::map<std::string, double> timing_before_;  // phase -> wall time of the runs resumed [s]
     double wall_before_ = 0, cpu_before_ = 0, wall_start_ = 0, cpu_start_ = 0, last_checkpoint_ = 0;
     BackgroundWriter writer_;  // last: it must stop before what its jobs use
 };

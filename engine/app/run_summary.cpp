@@ -64,12 +64,6 @@ void add_history(const RunSession& session, io::Summary& s) {
     s.extra.emplace_back("history_full", session.history()->full());
 }
 
-double extra(const io::Summary& s, const std::string& key) {
-    for (const auto& [name, value] : s.extra)
-        if (name == key) return value;
-    return 0;
-}
-
 }  // namespace
 
 io::Summary summarise(const RunSession& session, const scene::Scene& scene, const PreparedGround& ground,
@@ -109,11 +103,11 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene, const 
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");
     if (scene.mode == scene::Mode::screening) out += screening_text(s);
-    if (const double rows = extra(s, "history_rows"); rows > 0)
+    if (const double rows = s.number("history_rows"); rows > 0)
         out += fmt::format(
             "history.h5 holds {:.0f} updates{}\n", rows,
-            extra(s, "history_full") > 0 ? "; it was full before the end (output.history_max)" : "");
-    if (const double failures = extra(s, "rve_failures"); failures > 0)
+            s.number("history_full") > 0 ? "; it was full before the end (output.history_max)" : "");
+    if (const double failures = s.number("rve_failures"); failures > 0)
         out += fmt::format(
             "warning: {:.0f} DEM updates failed and kept their last stress; do not trust this run\n",
             failures);

@@ -38,12 +38,6 @@ void add_hand_over(const graph::ScreeningLaw& law, io::Summary& s) {
     s.extra.emplace_back("jump_work_J_per_m", law.screening().jump_work);
 }
 
-double extra(const io::Summary& s, const std::string& key) {
-    for (const auto& [name, value] : s.extra)
-        if (name == key) return value;
-    return io::Summary::unknown;
-}
-
 std::string reasons(const io::Summary& s) {
     std::string out;
     for (const auto& [name, value] : s.extra)
@@ -78,20 +72,20 @@ std::string screening_text(const io::Summary& s) {
         fmt::format("grains answer for {:.1f} % of the points at the end, {:.1f} % on average\n",
                     100 * s.dem_fraction_final, 100 * s.dem_fraction_mean);
     out += fmt::format("handed over because of: {}\n", reasons(s));
-    if (extra(s, "jump_p95") >= 0)
+    if (s.number("jump_p95") >= 0)
         out += fmt::format("stress jump at hand-over: {:.1f} % of p (median), {:.1f} % (95th percentile)\n",
-                           100 * extra(s, "jump_p50"), 100 * extra(s, "jump_p95"));
-    if (extra(s, "jump_felt_p95") >= 0)
+                           100 * s.number("jump_p50"), 100 * s.number("jump_p95"));
+    if (s.number("jump_felt_p95") >= 0)
         out += fmt::format(
             "what the ground feels of it in one step: {:.2f} % (median), {:.2f} % (95th percentile); the "
             "same points' "
             "largest step afterwards: {:.2f} %, {:.2f} %\n",
-            100 * extra(s, "jump_felt_p50"), 100 * extra(s, "jump_felt_p95"),
-            100 * extra(s, "ordinary_step_p50"), 100 * extra(s, "ordinary_step_p95"));
+            100 * s.number("jump_felt_p50"), 100 * s.number("jump_felt_p95"),
+            100 * s.number("ordinary_step_p50"), 100 * s.number("ordinary_step_p95"));
     if (s.audit.points > 0)
         out += fmt::format("audit: the surrogate's stress is off by {:.1f} +- {:.1f} % of p ({} points)\n",
                            100 * s.audit.stress_error_mean, 100 * s.audit.ci95, s.audit.points);
-    if (const double failed = extra(s, "failed_answers"); failed > 0)
+    if (const double failed = s.number("failed_answers"); failed > 0)
         out +=
             fmt::format("warning: the surrogate failed at {:.0f} points; their grains took over\n", failed);
     return out;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <numbers>
+#include <span>
 
+#include "base/hash.hpp"
 #include "dem/fast_kernel.hpp"
 #include "dem/fast_packing.hpp"
 #include "dem/neighbour_list.hpp"
@@ -85,6 +87,16 @@ Packing to_packing(const CompactPacking& p) {
     FastState state;
     unpack(p, state);
     return unload(state);
+}
+
+std::int64_t content_hash(const CompactPacking& p) {
+    Hasher hasher;
+    const auto add = [&](const auto& values) { hasher.add(std::as_bytes(std::span(values))); };
+    add(p.grains->radius), add(p.position);
+    add(p.i), add(p.j), add(p.image);
+    add(p.tangential), add(p.moment);
+    hasher.add(std::as_bytes(std::span(p.H.data(), 4)));
+    return static_cast<std::int64_t>(hasher.value());
 }
 
 }  // namespace sandgraph::dem

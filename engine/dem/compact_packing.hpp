@@ -42,4 +42,7 @@ void unpack(const CompactPacking& packing, FastState& state);
 void pack(const FastState& state, CompactPacking& packing);
 Packing to_packing(const CompactPacking& packing);
 
+// Names a packing by its grains, pairs, contact history and cell.
+std::int64_t content_hash(const CompactPacking& packing);
+
 }  // namespace sandgraph::dem

@@ -16,7 +16,7 @@ using Progress = std::function<void(std::string_view stage, double fraction)>;
 struct Prepared {
     Packing packing;  // at rest, with contact history
     double porosity = 0;
-    double consolidation_friction = 0;  // found by bisection [rad]
+    double consolidation_friction = 0;  // found by stochastic approximation [rad]
     int trials = 0;                     // consolidations done
 };
 

@@ -39,7 +39,9 @@ void require_sound(const CompactPacking& p) {
                   "pairs");
     require_indices(p.i, grains + 1, "pairs"), require_indices(p.j, grains + 1, "pairs");
     require_indices(p.image, 9, "pairs");
-    require_state(p.H.allFinite() && p.H.determinant() > 0, "cells");
+    for (const Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) require_state(m->allFinite(), "numbers");
+    require_state(p.H.determinant() > 0, "cells");
+    require_state(std::isfinite(p.approach), "numbers");
     const auto finite = [](double value) { return std::isfinite(value); };
     require_state(std::ranges::all_of(p.position, finite) && std::ranges::all_of(p.velocity, finite) &&
                       std::ranges::all_of(p.tangential, finite) && std::ranges::all_of(p.moment, finite),
@@ -60,6 +62,8 @@ void Rve::load(ByteReader& in) {
     in.take(own), in.take(floating_);
     in.take(angle_), in.take(volume_), in.take(contact_volume_);
     take(in, pending_);
+    require_state(std::isfinite(angle_) && volume_ > 0 && contact_volume_ > 0 && pending_.allFinite(),
+                  "numbers");
     own_.reset();
     if (!own) return;
     auto packing = std::make_unique<CompactPacking>();

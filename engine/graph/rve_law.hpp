@@ -27,6 +27,10 @@ struct RveLawSetup {
     VisitSettings visits() const;
 };
 
+// StateError when the archive is of a run that started from other packings: another machine's rounding, or
+// another version of the program, makes others by the same recipe.
+void confirm_packings(Archive& a, const std::vector<RowPacking>& rows);
+
 struct RveCounters {
     std::int64_t dem_steps = 0, updates = 0, failures = 0;
     std::int64_t predicted = 0;  // updates of points whose stress had been a prediction for a step or more

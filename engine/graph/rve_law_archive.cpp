@@ -3,7 +3,16 @@
 
 namespace sandgraph::graph {
 
+void confirm_packings(Archive& a, const std::vector<RowPacking>& rows) {
+    std::vector<std::int64_t> hashes;
+    for (const RowPacking& row : rows) hashes.push_back(dem::content_hash(*row.packing));
+    std::vector<std::int64_t> read = hashes;
+    a.field("initial_packings", read);
+    require_state(read == hashes, "initial packings");
+}
+
 void RveLaw::archive(Archive& a) {
+    confirm_packings(a, setup_.rows);
     std::vector<std::uint8_t> bytes;
     if (!a.reading()) {
         ByteWriter out(bytes);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "base/byte_stream.hpp"
@@ -17,8 +18,9 @@ bool known(Reason reason) { return static_cast<std::size_t>(reason) < reason_cou
 
 }  // namespace
 
-// Sample and initial packings come from the setup; the scene's hash tells that it is the same.
+// The sample comes from the setup; the scene's hash tells that it is the same.
 void ScreeningLaw::archive(Archive& a) {
+    confirm_packings(a, setup_.grains.rows);
     std::vector<std::uint8_t> bytes;
     if (!a.reading()) {
         ByteWriter out(bytes);
@@ -67,7 +69,11 @@ void ScreeningLaw::require_sound() const {
     for (const PointMode mode : mode_) require_state(mode <= PointMode::flow, "modes");
     for (const Reason reason : reason_) require_state(known(reason), "reasons");
     require_indices(fading_, size(), "fading points");
+    std::vector<std::int32_t> once = fading_;
+    std::ranges::sort(once);
+    require_state(std::ranges::adjacent_find(once) == once.end(), "fading points");
     for (const std::int32_t p : fading_) require_state(fade_left_[p] > 0, "fading points");
+    require_state(next_audit_ >= 0, "audits");
     require_state(dem_points_ <= size(), "counts");
     for (const Switch& s : switches_) {
         require_state(known(s.reason), "switches");

@@ -109,6 +109,12 @@ void HistoryWriter::commit() {
     file_->target.commit();
 }
 
+HistorySource read_history_source(const std::filesystem::path& path) {
+    const h5::File file = h5::File::open(path);
+    require_content(file.root(), "history", schema);
+    return read_source(file.root());
+}
+
 HistoryLog read_history(const std::filesystem::path& path) {
     const h5::File file = h5::File::open(path);
     const h5::Group root = file.root();

@@ -31,4 +31,7 @@ class HistoryWriter {
 // number that is not finite, refers to what it does not have, or misses a row inside a history.
 HistoryLog read_history(const std::filesystem::path& path);
 
+// What a log was made from, without its rows. InputError as above.
+HistorySource read_history_source(const std::filesystem::path& path);
+
 }  // namespace sandgraph::io

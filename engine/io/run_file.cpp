@@ -29,10 +29,11 @@ void copy_frames(const fs::path& from, h5::Group& to, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) to.copy_from(source, frame_name(k));
 }
 
-std::int64_t archived_count(Archive& a, std::string_view name, std::size_t count) {
+std::size_t archived_count(Archive& a, std::string_view name, std::size_t count) {
     std::vector<std::int64_t> value{static_cast<std::int64_t>(count)};
-    a.field(name, value);
-    return value.empty() ? -1 : value.front();
+    field_of_known_length(a, name, value);
+    require_state(value.front() >= 0, "counts of rows");
+    return static_cast<std::size_t>(value.front());
 }
 
 }  // namespace
@@ -111,38 +112,26 @@ void RunFile::commit() {
 
 void RunFile::archive(Archive& a) {
     if (!a.reading()) commit();
-    archive_regions(a);
-    const std::int64_t rows = archived_count(a, "run/load_rows", record_.load.size());
-    const std::int64_t frames = archived_count(a, "run/frames", record_.frames);
-    if (!a.reading()) return;
-    if (rows < 0 || frames < 0)
-        throw InputError({path().string()}, "the checkpoint is damaged", "negative count", "start anew");
-    cut_back(static_cast<std::size_t>(rows), static_cast<std::size_t>(frames));
-}
-
-// Before cut_back, which writes the file again. Regions have one row each at a time.
-void RunFile::archive_regions(Archive& a) {
-    if (record_.regions.empty()) return;
-    const std::size_t held = record_.regions.front().rows.size();
-    const std::int64_t rows = archived_count(a, "run/region_rows", held);
-    if (rows < 0 || static_cast<std::size_t>(rows) > held)
-        throw InputError({path().string()}, "run.h5 ends before the checkpoint",
-                         fmt::format("{} rows of its regions, {} needed", held, rows),
-                         "start the run anew, without --resume");
-    for (RegionSeries& region : record_.regions) region.rows.resize(static_cast<std::size_t>(rows));
+    // Regions have one row each at a time.
+    const std::size_t held = record_.regions.empty() ? 0 : record_.regions.front().rows.size();
+    const Extent extent{archived_count(a, "run/load_rows", record_.load.size()),
+                        archived_count(a, "run/frames", record_.frames),
+                        record_.regions.empty() ? 0 : archived_count(a, "run/region_rows", held)};
+    if (a.reading()) cut_back(extent, {record_.load.size(), record_.frames, held});
 }
 
 void RunFile::rewrite_csv() { csv_.emplace(folder_ / "load.csv", record_.load); }
 
-void RunFile::cut_back(std::size_t rows, std::size_t frames) {
-    if (rows > record_.load.size() || frames > record_.frames)
+void RunFile::cut_back(const Extent& to, const Extent& from) {
+    if (to.load > from.load || to.frames > from.frames || to.regions > from.regions)
         throw InputError({path().string()}, "run.h5 ends before the checkpoint",
-                         fmt::format("{} load rows and {} frames, {} and {} needed", record_.load.size(),
-                                     record_.frames, rows, frames),
+                         fmt::format("{} load rows, {} frames and {} rows of regions, {}, {} and {} needed",
+                                     from.load, from.frames, from.regions, to.load, to.frames, to.regions),
                          "start the run anew, without --resume");
     fs::remove(folder_ / "summary.json");  // of an earlier end: a run that goes on has not ended
-    record_.load.resize(rows);
-    record_.frames = frames;
+    record_.load.resize(to.load);
+    record_.frames = to.frames;
+    for (RegionSeries& region : record_.regions) region.rows.resize(to.regions);
     commit();
     rewrite_csv();
 }

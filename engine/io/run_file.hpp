@@ -46,8 +46,10 @@ class RunFile {
   private:
     RunFile(std::filesystem::path folder, RunRecord record);
     void rewrite_csv();
-    void cut_back(std::size_t rows, std::size_t frames);
-    void archive_regions(Archive& a);
+    struct Extent {
+        std::size_t load, frames, regions;  // rows
+    };
+    void cut_back(const Extent& to, const Extent& from);
 
     std::filesystem::path folder_;
     RunRecord record_;

@@ -59,6 +59,12 @@ Summary from_json(const Json& json) {
 
 }  // namespace
 
+double Summary::number(const std::string& key) const {
+    for (const auto& [name, value] : extra)
+        if (name == key) return value;
+    return unknown;
+}
+
 std::string to_json(const Summary& summary) {
     Json json, audit;
     visit_keys(summary, writer(json));

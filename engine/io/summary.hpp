@@ -18,8 +18,8 @@ struct Summary {
     double dem_fraction_final = unknown, dem_fraction_mean = unknown;
     double peak_load = unknown, peak_d_over_B = unknown;  // [N/m], -
     double n_gamma = unknown, n_gamma_meyerhof_adams = unknown, n_gamma_biarez = unknown;
-    double late_load = unknown;  // [N/m]
-    double kinetic_to_strain_energy_max = unknown;
+    double late_load = unknown;                     // [N/m]
+    double kinetic_to_strain_energy_max = unknown;  // of the ground, over what the plate has put into it
     int threads = 1;
     std::string mode, git, scene_hash;
     struct Audit {
@@ -27,6 +27,8 @@ struct Summary {
         double stress_error_mean = unknown, ci95 = unknown;
     } audit;
     std::vector<std::pair<std::string, double>> extra;  // further keys, behind the fixed ones
+
+    double number(const std::string& key) const;  // of `extra`; NaN if it has none such
 };
 
 std::string to_json(const Summary& summary);

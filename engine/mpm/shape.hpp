@@ -40,9 +40,4 @@ inline Weights at(double a, double cell) {
     return w;
 }
 
-// A product of weights along x and y: 3 x 3 nodes.
-struct Stencil {
-    Weights x, y;
-};
-
 }  // namespace sandgraph::mpm

@@ -54,7 +54,8 @@ std::vector<std::string> KeyTable::section_names() const {
     return names;
 }
 
-void KeyTable::read(const toml::table& root, const std::string& file) {
+void KeyTable::read(const toml::table& root, const std::string& file, NamedFiles files) {
+    files_ = files;
     const std::vector<std::string> sections = section_names();
     for (const auto& [key, node] : root) {
         const std::string name{key.str()};
@@ -74,7 +75,7 @@ void KeyTable::read_section(const toml::table& table, const std::string& section
 
 void KeyTable::read_key(const toml::node& node, const std::string& section, const std::string& name,
                         const std::string& file) {
-    const Entry entry{node, where_of(node, file), section.empty() ? name : section + "." + name};
+    const Entry entry{node, where_of(node, file), section.empty() ? name : section + "." + name, files_};
     const auto key = std::ranges::find_if(
         keys_, [&](const Key& known) { return known.section == section && known.name == name; });
     if (key == keys_.end()) refuse_key(entry, section, name);

@@ -52,7 +52,7 @@ class KeyTable {
 
     Section section(std::string name) { return {*this, std::move(name)}; }
     // Fills the members from `root`; `file` names it in errors. May be called again: later values win.
-    void read(const toml::table& root, const std::string& file);
+    void read(const toml::table& root, const std::string& file, NamedFiles files = NamedFiles::exist);
 
     const std::vector<Key>& keys() const { return keys_; }
     // The key "section.name", which must exist.
@@ -67,6 +67,7 @@ class KeyTable {
     std::vector<std::string> section_names() const;
 
     std::vector<Key> keys_;
+    NamedFiles files_ = NamedFiles::exist;  // of what is being read
 };
 
 }  // namespace sandgraph::scene

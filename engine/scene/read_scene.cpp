@@ -26,14 +26,13 @@ void place_anchor(const KeyTable& keys, Scene& scene) {
     scene.anchor.position = std::round((0.5 * scene.domain.width - half) / spacing) * spacing + half;
 }
 
-}  // namespace
-
-Scene parse_scene(const std::string& text, const std::string& file, std::span<const std::string> overrides) {
+Scene parse(const std::string& text, const std::string& file, std::span<const std::string> overrides,
+            NamedFiles files) {
     Scene scene;
     scene.file = file;
     toml::table table = parse_toml(text, file);
     KeyTable keys = scene_keys(scene);
-    keys.read(table, file);
+    keys.read(table, file, files);
     for (const std::string& assignment : overrides) {
         const toml::table extra = parse_override(assignment);
         keys.read(extra, override_file);
@@ -44,6 +43,16 @@ Scene parse_scene(const std::string& text, const std::string& file, std::span<co
     place_anchor(keys, scene);
     check_scene(scene, keys);
     return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& file, std::span<const std::string> overrides) {
+    return parse(text, file, overrides, NamedFiles::exist);
+}
+
+Scene recorded_scene(const std::string& text, const std::string& name) {
+    return parse(text, name, {}, NamedFiles::may_be_gone);
 }
 
 Scene read_scene(const std::string& file, std::span<const std::string> overrides) {

@@ -15,4 +15,7 @@ Scene read_scene(const std::string& file, std::span<const std::string> overrides
 Scene parse_scene(const std::string& text, const std::string& file,
                   std::span<const std::string> overrides = {});
 
+// The scene of a run that is over; the files that it read may have moved since.
+Scene recorded_scene(const std::string& text, const std::string& name);
+
 }  // namespace sandgraph::scene

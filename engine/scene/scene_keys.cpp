@@ -80,7 +80,8 @@ void add_output_keys(KeyTable& keys, Output& o) {
     auto output = keys.section("output");
     output.text("folder", o.folder, "empty: out/<name of the scene file>").in_hash = false;
     output.flag("pictures", o.pictures, "PNG pictures of every frame").in_hash = false;
-    output.real("load_every", o.load_every, "", above(0), "d/B between rows of load.csv").in_hash = false;
+    output.real("load_every", o.load_every, "", at_least(1e-6), "d/B between rows of load.csv").in_hash =
+        false;
     output.add("frames", std::make_unique<RisingReals>(o.frames, at_least(0)), "d/B of the field frames")
         .in_hash = false;
     output.real("checkpoint_every", o.checkpoint_every, "s", above(0), "wall time between checkpoints")

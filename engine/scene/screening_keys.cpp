@@ -60,7 +60,7 @@ void add_audit_keys(KeyTable& keys, Audit& a, bool in_use) {
               "of the points, that carry a second packing to measure the error")
         .in_hash = in_use;
     audit.integer("seed", a.seed, 0, "of the draw").in_hash = in_use;
-    audit.real("every", a.every, "", above(0), "d/B between two audits").in_hash = in_use;
+    audit.real("every", a.every, "", at_least(1e-6), "d/B between two audits").in_hash = in_use;
 }
 
 }  // namespace

@@ -1,17 +1,22 @@
 #pragma once
 #include <toml++/toml.h>
 
+#include <cstdint>
 #include <string>
 
 #include "base/error.hpp"
 
 namespace sandgraph::scene {
 
+// Must the files that are named be there? Not for what is kept of a run that is over.
+enum class NamedFiles : std::uint8_t { exist, may_be_gone };
+
 // One `name = value` as it stands in a file.
 struct Entry {
     const toml::node& node;
     InputError::Where where;
     std::string name;  // with its table: "anchor.width"
+    NamedFiles files = NamedFiles::exist;
 
     std::string text() const;  // the value as written
     [[noreturn]] void refuse(const std::string& why, const std::string& suggestion) const;

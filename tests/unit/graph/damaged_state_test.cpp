@@ -1,18 +1,21 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "tests/support/memory_archive.hpp"
 #include "tests/unit/graph/screening_bench.hpp"
 
 // What an archive brings is a state of the law or it is refused; nothing is read that could index outside.
 namespace sandgraph::graph {
 namespace {
 
-// The one field of a law's archive, as bytes at hand.
+// A law's archive of its points, as bytes at hand; that of its initial packings is taken as it comes.
 class Bytes final : public Archive {
   public:
     explicit Bytes(std::vector<std::uint8_t>* from = nullptr) : from_(from) {}
     bool reading() const override { return from_ != nullptr; }
     void field(std::string_view, std::vector<double>&) override { FAIL(); }
-    void field(std::string_view, std::vector<std::int64_t>&) override { FAIL(); }
+    void field(std::string_view, std::vector<std::int64_t>&) override {}
     void field(std::string_view, std::vector<std::uint8_t>& values) override {
         reading() ? values = *from_ : written = values;
     }
@@ -83,6 +86,21 @@ TEST(DamagedState, OfOtherPointsIsRefused) {
     auto more = sheared(), fewer = screening(2, setup_of(2, 2e-3));
     EXPECT_THROW(load(fewer.law, saved(more.law)), StateError);
     EXPECT_THROW(load(more.law, saved(fewer.law)), StateError);
+}
+
+// The scene's hash knows the recipe of the initial packings, not what a machine makes of it.
+TEST(DamagedState, OfOtherInitialPackingsIsRefused) {
+    auto here = full(2);
+    RveLawSetup elsewhere = setup_of(2, 0).grains;
+    auto rounded = std::make_shared<dem::CompactPacking>(*elsewhere.rows.front().packing);
+    rounded->position[7] = std::nextafter(rounded->position[7], 1);
+    elsewhere.rows.front().packing = rounded;
+    support::MemoryArchive memory;
+    here.law.archive(memory);
+    memory.read_from_now_on();
+    RveLaw law(elsewhere), same(setup_of(2, 0).grains);
+    EXPECT_NO_THROW(same.archive(memory));
+    EXPECT_THROW(law.archive(memory), StateError);
 }
 
 TEST(DamagedState, CutShortOrWithMoreBehindItIsRefused) {

@@ -95,5 +95,13 @@ TEST(SceneKeys, HelpNamesEveryKeyAndReadsBackAsDefaults) {
 
 TEST(SceneFile, ThatIsMissingIsBadInput) { EXPECT_THROW(read_scene("no_such_folder/none.toml"), InputError); }
 
+// Whoever reads a run that is over need not have what it was made from.
+TEST(RecordedScene, NamesFilesThatMayBeGone) {
+    const std::string text = "[grains]\npacking = \"gone.h5\"\n";
+    EXPECT_THROW(parse_scene(text, "s.toml"), InputError);
+    EXPECT_EQ(recorded_scene(text, "run").ground.grains.packing, "gone.h5");
+    EXPECT_THROW(recorded_scene("[grains]\npacking = 3\n", "run"), InputError);
+}
+
 }  // namespace
 }  // namespace sandgraph::scene
