@@ -1,9 +1,12 @@
 #include "app/build_pull.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/build_screening.hpp"
 #include "app/rve_options.hpp"
+#include "base/error.hpp"
 #include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
 #include "stress/elastic.hpp"
@@ -93,6 +96,16 @@ graph::StepSettings settings_of(const scene::Scene& scene, const PreparedGround&
     return s;
 }
 
+// Faster than that, touches come and go between two looks at them.
+void require_slow_plate(const scene::Scene& scene, double dt) {
+    constexpr double most = 0.01;  // cells a step; the paper's rate takes 1e-4
+    const double cells = scene.anchor.pull_rate * dt / scene.domain.cell;
+    if (cells > most)
+        throw InputError({scene.file}, fmt::format("anchor.pull_rate = {:g} m/s", scene.anchor.pull_rate),
+                         fmt::format("the plate would move {:.2g} cells in one step of {:.2g} s", cells, dt),
+                         fmt::format("pull with {:.2g} m/s at most", most * scene.domain.cell / dt));
+}
+
 void add_plate(const scene::Scene& scene, const PreparedGround& ground, graph::GroundState& state) {
     state.has_plate = true;
     state.plate = plate_of(scene);
@@ -132,7 +145,10 @@ std::unique_ptr<graph::Pull> build_pull(const scene::Scene& scene, const Prepare
                                                       std::move(points), grid_shape(scene));
     state->law = std::move(law);
     state->law->initialise(state->batch());
-    if (scene.anchor.present) add_plate(scene, ground, *state);
+    if (scene.anchor.present) {
+        require_slow_plate(scene, state->settings.dt);
+        add_plate(scene, ground, *state);
+    }
     return std::make_unique<graph::Pull>(std::move(state), plan_of(scene));
 }
 

@@ -5,6 +5,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/failure_table.hpp"
+#include "app/writable.hpp"
 #include "io/atomic_file.hpp"
 
 namespace sandgraph::app {
@@ -16,6 +17,7 @@ struct Arguments {
 };
 
 void run(const Arguments& a) {
+    require_writable_file(a.csv);
     const std::string table = failure_csv(a.folders);
     if (a.csv.empty())
         fmt::print("{}", table);

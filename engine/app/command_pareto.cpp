@@ -46,7 +46,8 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
     command->add_option("-o,--out", a->run.folder, "folder of all runs, pareto.csv and pareto.png")
         ->required();
     command->add_option("--thresholds", a->thresholds, "of gate.strain, or of gate.strain:gate.flow")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("--set", a->run.set, "section.key=value for all runs; may be repeated")
         ->allow_extra_args(false);
     command->add_option("--threads", a->run.threads, "default: all cores")->check(CLI::Range(1, 1024));

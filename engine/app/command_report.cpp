@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "app/run_report.hpp"
 #include "app/stage_progress.hpp"
+#include "app/writable.hpp"
 #include "io/atomic_file.hpp"
 #include "report/html.hpp"
 
@@ -36,6 +37,7 @@ std::string pareto_chapter(const std::vector<std::string>& folders) {
 void run(const Arguments& a) {
     const std::vector<FinishedRun> runs = find_runs(a.folders);
     const fs::path out = a.out;
+    require_writable(out);
     fs::create_directories(out);
     std::string body =
         fmt::format("<h1>Plate anchors in sand</h1>\n<p class=\"lead\">{} run{}; made by sandgraph</p>\n",

@@ -96,7 +96,7 @@ void add_rve_bench(CLI::App& rve) {
                       "packing, .csv or .h5 (default: a dense one made on the spot)");
     bench->add_option("--grains", options->grains, "of the packing made on the spot")
         ->check(CLI::Range(20, 65000));
-    bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::PositiveNumber);
+    bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::Range(1, 1000000000));
     bench->add_flag("--reference", options->reference, "the published step instead of the optimised kernel");
     bench->add_flag("--growth", options->growth, "time against the number of grains: 100, 400, 1600, 10000");
     std::vector<std::string> targets = dem::kernel_targets();

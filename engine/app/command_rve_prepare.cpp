@@ -8,6 +8,7 @@
 #include "app/prepare_packing.hpp"
 #include "app/revision.hpp"
 #include "app/stage_progress.hpp"
+#include "app/writable.hpp"
 #include "dem/packing_csv.hpp"
 #include "io/atomic_file.hpp"
 #include "io/packing_file.hpp"
@@ -33,6 +34,7 @@ dem::Packing make_packing(const scene::RecipeSpec& recipe) {
 
 void run(const Options& options) {
     const scene::RecipeSpec recipe = scene::read_recipe(options.recipe);
+    require_writable_file(options.out), require_writable_file(options.csv);
     std::optional<io::AtomicFile> csv;
     if (!options.csv.empty()) csv.emplace(options.csv);
     const dem::Packing packing = make_packing(recipe);

@@ -8,6 +8,7 @@
 #include "app/live_line.hpp"
 #include "app/probe.hpp"
 #include "app/stage_progress.hpp"
+#include "app/writable.hpp"
 #include "io/history_file.hpp"
 #include "io/history_overview.hpp"
 
@@ -29,6 +30,7 @@ void probe(const scene::ProbeSpec& spec, const Options& options) {
 
 void run(const Options& options) {
     const scene::ProbeSpec spec = scene::read_probe(options.recipe);
+    require_writable_file(options.out);
     const double start = wall_clock();
     probe(spec, options);
     fmt::print("{}: {:.0f} s\n{}", options.out, wall_clock() - start,

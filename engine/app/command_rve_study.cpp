@@ -11,6 +11,7 @@
 #include "app/command_rve.hpp"
 #include "app/stage_progress.hpp"
 #include "app/study_table.hpp"
+#include "app/writable.hpp"
 #include "io/atomic_file.hpp"
 
 namespace sandgraph::app {
@@ -70,6 +71,7 @@ bool chosen(const Options& options, const std::string& history) {
 
 void run(const Options& options) {
     const std::filesystem::path folder = options.out;
+    require_writable(folder);
     std::filesystem::create_directories(folder);
     const int seeds = options.quick ? 1 : options.seeds;
     const Samples samples = make_samples(seeds);

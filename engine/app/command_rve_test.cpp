@@ -8,6 +8,7 @@
 #include "app/element_test.hpp"
 #include "app/load_packing.hpp"
 #include "app/revision.hpp"
+#include "app/writable.hpp"
 #include "io/atomic_file.hpp"
 
 namespace sandgraph::app {
@@ -23,6 +24,7 @@ std::string metadata(const Options& options) {
 }
 
 void run(const Options& options) {
+    require_writable_file(options.out);
     const io::PackingRecord record = load_packing(options.packing);
     const scene::ElementTestSpec spec = scene::read_element_test(options.test, record.material);
     if (options.out.empty()) {
@@ -48,7 +50,7 @@ void add_rve_test(CLI::App& rve) {
     test->add_option("-o,--out", options->out, "CSV file to write (default: the terminal)");
     test->add_option("--threads", options->threads,
                      "taken for scripts' sake: one packing is one thread's work")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1024));
     test->callback([options] { run(*options); });
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/run_summary.hpp"
 #include "base/error.hpp"
 #include "report/field_values.hpp"
 #include "report/smoothing.hpp"
@@ -18,6 +19,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSameFrame = 2e-4;   // in d/B
 constexpr double kSmoothing = 0.005;  // half width, in d/B
 constexpr double kFloor = 1000;       // [Pa]
+constexpr double kSameEnd = 0.002;    // of two curves, in d/B
 
 struct Curve {
     std::vector<double> d, load;
@@ -49,10 +51,17 @@ double rms_difference(const Curve& reference, const Curve& other) {
 
 Curve smoothed(const Curve& c) { return {c.d, report::smooth(c.d, c.load, kSmoothing).value}; }
 
+double end_of(const FinishedRun& run) {
+    return run.record.load.empty() ? 0 : run.record.load.back().d_over_B;
+}
+
 void compare_loads(const FinishedRun& reference, const FinishedRun& other, Comparison& out) {
     const double peak = reference.summary.peak_load;
-    out.peak_error = std::abs(other.summary.peak_load - peak) / peak;
-    out.peak_position_error = std::abs(other.summary.peak_d_over_B - reference.summary.peak_d_over_B);
+    const bool both_broke_out = broke_out(reference.summary) && broke_out(other.summary);
+    if (both_broke_out || std::abs(end_of(reference) - end_of(other)) < kSameEnd) {
+        out.peak_error = std::abs(other.summary.peak_load - peak) / peak;
+        out.peak_position_error = std::abs(other.summary.peak_d_over_B - reference.summary.peak_d_over_B);
+    }
     const Curve a = curve_of(reference), b = curve_of(other);
     out.curve_error = rms_difference(a, b) / peak;
     out.curve_error_smoothed = rms_difference(smoothed(a), smoothed(b)) / peak;
@@ -96,6 +105,7 @@ void compare_fields(const FinishedRun& reference, const FinishedRun& other, Comp
 // One list serves both forms.
 template <class Visit>
 void visit(const Comparison& c, Visit&& one) {
+    one("common_d_over_B", c.common, "up to which both runs go");
     one("peak_error", c.peak_error, "share of the reference's peak load");
     one("peak_position_error", c.peak_position_error, "in d/B");
     one("curve_error", c.curve_error, "rms over the load curve, share of the peak");
@@ -126,8 +136,10 @@ Comparison compare_runs(const FinishedRun& reference, const FinishedRun& other) 
     Comparison out;
     compare_loads(reference, other, out);
     compare_fields(reference, other, out);
-    out.wall_ratio = reference.summary.wall_s / other.summary.wall_s;
-    out.cpu_ratio = reference.summary.cpu_s / other.summary.cpu_s;
+    out.common = std::min(end_of(reference), end_of(other));
+    const bool same_length = std::abs(end_of(reference) - end_of(other)) < kSameEnd;
+    out.wall_ratio = same_length ? reference.summary.wall_s / other.summary.wall_s : unknown;
+    out.cpu_ratio = same_length ? reference.summary.cpu_s / other.summary.cpu_s : unknown;
     out.dem_share_mean = other.summary.dem_fraction_mean, out.dem_share = other.summary.dem_fraction_final;
     out.audit_mean = other.summary.audit.stress_error_mean, out.audit_ci95 = other.summary.audit.ci95;
     out.jump_p95 = other.summary.number("jump_p95"), out.felt_p95 = other.summary.number("jump_felt_p95");
@@ -140,7 +152,8 @@ Comparison compare_runs(const FinishedRun& reference, const FinishedRun& other) 
 std::string to_text(const Comparison& c) {
     std::string out;
     visit(c, [&](const char* name, double value, const char* meaning) {
-        out += fmt::format("{:<24} {:>10.4g}  {}\n", name, value, meaning);
+        out += fmt::format("{:<24} {:>10}  {}\n", name,
+                           std::isnan(value) ? "-" : fmt::format("{:.4g}", value), meaning);
     });
     return out;
 }

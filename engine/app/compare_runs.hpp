@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <string>
 
 #include "app/finished_run.hpp"
@@ -7,8 +8,9 @@ namespace sandgraph::app {
 
 // How one run differs from a reference of the same ground. Shares are of the reference.
 struct Comparison {
-    double peak_error = 0;            // |peak - reference peak| / reference peak, of the smoothed curves
-    double peak_position_error = 0;   // |d/B - reference d/B| at the peak
+    double common = 0;  // d/B up to which both go; to different ends costs and unfinished peaks are NaN
+    // |peak - reference peak| / reference peak, of the smoothed curves; |d/B - reference d/B| at it.
+    double peak_error = std::numeric_limits<double>::quiet_NaN(), peak_position_error = peak_error;
     double curve_error = 0;           // rms of the load difference over the common d/B, share of the peak
     double curve_error_smoothed = 0;  // the same of the curves smoothed over 0.005 in d/B
     int frames = 0;                   // field frames at a d/B that both have, the start apart

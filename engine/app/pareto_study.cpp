@@ -7,6 +7,7 @@
 #include "app/command_line.hpp"
 #include "base/hash.hpp"
 #include "io/checkpoint.hpp"
+#include "io/run_file.hpp"
 #include "scene/scene_hash.hpp"
 
 namespace sandgraph::app {
@@ -39,17 +40,23 @@ bool is_of(const fs::path& folder, const std::string& hash) {
     return fs::exists(folder / "run.h5") && io::read_run(folder / "run.h5").info.scene_hash == hash;
 }
 
-// The run of a plan, made now unless its folder has it.
-std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan, const std::string& suffix) {
+RunRequest run_request(const ParetoRequest& request, const Plan& plan) {
     RunRequest run = request.run;
     run.mode = plan.mode;
     run.set.insert(run.set.end(), plan.set.begin(), plan.set.end());
+    return run;
+}
+
+// The run of a plan, made now unless its folder has it.
+std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan, const std::string& suffix) {
+    RunRequest run = run_request(request, plan);
     if (!suffix.empty()) run.set.emplace_back("audit.share=1");
     const fs::path folder = fs::path(request.run.folder) / (plan.label + suffix);
     run.folder = folder.string();
     const bool same = is_of(folder, hex(scene::scene_hash(scene_of(run))));
     if (same && fs::exists(folder / "summary.json")) return read_finished_run(folder);
     run.resume = same && fs::exists(folder / io::checkpoint_name);
+    if (!run.resume) io::remove_restart_files(folder);
     fmt::print("--- {}\n", folder.string());
     if (simulate(run) != exit_done) return std::nullopt;
     return read_finished_run(folder);
@@ -58,6 +65,7 @@ std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan
 }  // namespace
 
 std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request) {
+    for (const Plan& plan : plans(request)) scene_of(run_request(request, plan));  // refused before any runs
     std::vector<ParetoRow> rows;
     std::optional<FinishedRun> reference;
     for (const Plan& plan : plans(request)) {

@@ -8,6 +8,7 @@ namespace sandgraph::app {
 namespace {
 
 std::string duration(double seconds) {
+    if (!(seconds < 1e9)) return "more than 30 years";
     const auto s = static_cast<std::int64_t>(std::lround(seconds));
     if (s < 60) return fmt::format("{} s", s);
     if (s < 3600) return fmt::format("{} min {} s", s / 60, s % 60);

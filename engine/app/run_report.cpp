@@ -9,6 +9,7 @@
 
 #include "app/cross_scale.hpp"
 #include "app/run_pictures.hpp"
+#include "app/run_summary.hpp"
 #include "base/error.hpp"
 #include "report/html.hpp"
 
@@ -36,7 +37,8 @@ std::vector<Row> result_rows(const FinishedRun& run) {
     const io::Summary& s = run.summary;
     const double formula = pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
     return {{"result", ""},
-            {"breakout factor N_gamma", number(s.n_gamma, 3)},
+            {broke_out(s) ? "breakout factor N_gamma" : "largest N_gamma so far, the load still rises",
+             number(s.n_gamma, 3)},
             {pulled_up(run.scene) ? "Meyerhof & Adams (1968)" : "Biarez et al. (1965)", number(formula, 3)},
             {"friction angle of the packing [deg]", number(run.summary.number("friction_angle_deg"), 3)},
             {"breakout load Q_u [kN/m]", number(s.peak_load / 1000, 4)},

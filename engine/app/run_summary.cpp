@@ -16,6 +16,7 @@ namespace sandgraph::app {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kQuasiStatic = 0.1;  // kinetic energy over the plate's work
 
 struct Curve {
     std::vector<double> d, load;
@@ -66,6 +67,10 @@ void add_history(const RunSession& session, io::Summary& s) {
 
 }  // namespace
 
+bool broke_out(const io::Summary& s) {
+    return s.number("breakout_criterion") != static_cast<double>(report::BreakoutKind::still_rising);
+}
+
 io::Summary summarise(const RunSession& session, const scene::Scene& scene, const PreparedGround& ground,
                       int threads) {
     const graph::Pull& pull = session.pull();
@@ -90,15 +95,19 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene, const 
     std::string out;
     if (scene.anchor.present) {
         const bool up = scene.anchor.orientation == scene::Orientation::horizontal;
-        out += fmt::format("breakout  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n", s.n_gamma,
-                           s.peak_d_over_B, s.peak_load / 1000);
+        out += fmt::format("{}  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n",
+                           broke_out(s) ? "breakout" : "no breakout yet, the load still rises: largest",
+                           s.n_gamma, s.peak_d_over_B, s.peak_load / 1000);
         if (ground.friction_angle > 0)
             out +=
-                fmt::format("formula   N_gamma {:.2f}  ({}, phi = {:.1f} deg measured on the packing)\n",
+                fmt::format("formula   N_gamma {:.2f}  ({}, phi = {:.1f} deg {})\n",
                             up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez,
-                            up ? "Meyerhof & Adams 1968" : "Biarez 1965", ground.friction_angle * kDegrees);
+                            up ? "Meyerhof & Adams 1968" : "Biarez 1965", ground.friction_angle * kDegrees,
+                            scene.ground.law == scene::Law::rve ? "measured on the packing" : "of the scene");
         out += fmt::format("late load {:.1f} kN/m, kinetic energy at most {:.2g} of the plate's work\n",
                            s.late_load / 1000, s.kinetic_to_strain_energy_max);
+        if (s.kinetic_to_strain_energy_max > kQuasiStatic)
+            out += "warning: too fast to be quasi-static (10 % is the usual limit); lower anchor.pull_rate\n";
     }
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");

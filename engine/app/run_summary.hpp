@@ -4,6 +4,9 @@
 
 namespace sandgraph::app {
 
+// Has the load-displacement curve broken out, or does it still rise at its end?
+bool broke_out(const io::Summary& summary);
+
 io::Summary summarise(const RunSession& session, const scene::Scene& scene, const PreparedGround& ground,
                       int threads);
 

@@ -2,16 +2,18 @@
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
-#include <unistd.h>
 
 #include <thread>
 
 #include "app/build_screening.hpp"
+#include "app/check_run.hpp"
 #include "app/command_line.hpp"
+#include "app/resume_command.hpp"
 #include "app/run_pictures.hpp"
 #include "app/run_session.hpp"
 #include "app/run_summary.hpp"
 #include "app/stage_progress.hpp"
+#include "app/writable.hpp"
 #include "base/error.hpp"
 #include "io/checkpoint.hpp"
 #include "io/xdmf.hpp"
@@ -23,19 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without one the run has ended, perhaps killed before it had cleared up, or never began.
-void require_checkpoint(const fs::path& folder) {
-    if (fs::exists(folder / io::checkpoint_name) ||
-        fs::exists(io::previous_checkpoint(folder / io::checkpoint_name)))
-        return;
-    const bool ended = fs::exists(folder / "summary.json");
-    if (ended) io::remove_restart_files(folder);
-    throw InputError(
-        {folder.string(), 0}, "nothing to resume",
-        ended ? "the run has ended: its summary.json is there" : "there is no checkpoint in this folder",
-        "run without --resume, or give the run's folder with -o");
-}
-
 RunOptions options_of(const RunRequest& a, const scene::Scene& scene) {
     RunOptions o;
     o.folder = !a.folder.empty()              ? fs::path(a.folder)
@@ -44,25 +33,8 @@ RunOptions options_of(const RunRequest& a, const scene::Scene& scene) {
     o.threads = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
     o.until = a.until > 0 ? std::min(a.until, scene.anchor.pull_to) : scene.anchor.pull_to;
     o.resume = a.resume;
-    if (o.resume) require_checkpoint(o.folder);
+    o.resume ? require_checkpoint(o.folder, scene) : require_no_checkpoint(o.folder);
     return o;
-}
-
-// Before minutes of preparation, not after: can the run folder be made?
-void require_writable(const fs::path& folder) {
-    fs::path there = fs::absolute(folder).lexically_normal();
-    while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
-    if (!fs::is_directory(there))
-        throw InputError({folder.string(), 0}, "cannot be the run folder",
-                         there.string() + " is not a folder", "give another folder with -o");
-    // Tried out: access() says yes to root even where nothing can be written.
-    const fs::path trial = there / fmt::format(".sandgraph-{}", getpid());
-    std::error_code code;
-    const bool writable = fs::create_directory(trial, code);
-    fs::remove(trial, code);
-    if (!writable)
-        throw InputError({folder.string(), 0}, "cannot be the run folder",
-                         there.string() + " is not writable", "give another folder with -o");
 }
 
 PreparedGround prepare(const scene::Scene& scene) {
@@ -126,12 +98,13 @@ int simulate(const RunRequest& a) {
     const RunOptions options = options_of(a, scene);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
+    require_memory(scene);
     require_writable(options.folder);
     const PreparedGround ground = prepare(scene);
     RunSession session(scene, ground, options);
     if (run(session, options) == RunEnd::interrupted) {
-        fmt::print(stderr, "stopped at d/B {:.4f}; go on with: sandgraph run {} -o {} --resume\n",
-                   session.pull().d_over_B(), a.scene, options.folder.string());
+        fmt::print(stderr, "stopped at d/B {:.4f}; go on with: {}\n", session.pull().d_over_B(),
+                   resume_command(a, options.folder));
         return exit_stopped_early;
     }
     finish(session, options, scene, ground);

@@ -48,8 +48,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const std::string help = fmt::format("{} --help lists what there is", name);
     if (extras.empty()) return fmt::format("{}: {}; {}", name, one_line(error.what()), help);
     const bool is_option = extras.front().starts_with('-');
-    const std::string nearest = nearest_name(extras.front(), names_of(command, is_option));
-    const std::string advice = nearest.empty() ? help : fmt::format("did you mean \"{}\"?", nearest);
+    const std::string advice = did_you_mean(extras.front(), names_of(command, is_option), help);
     return fmt::format("{}: unknown {} \"{}\"; {}", name, is_option ? "option" : "argument", extras.front(),
                        advice);
 }

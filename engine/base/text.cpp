@@ -29,6 +29,14 @@ std::string nearest_name(std::string_view word, std::span<const std::string> kno
     return nearest == known.end() ? std::string{} : *nearest;
 }
 
+std::string did_you_mean(std::string_view word, std::span<const std::string> known,
+                         const std::string& otherwise) {
+    const std::string nearest = nearest_name(word, known);
+    const auto longer = static_cast<int>(std::max(word.size(), nearest.size()));
+    const bool slip = !nearest.empty() && 2 * edit_distance(word, nearest) <= longer;
+    return slip ? "did you mean \"" + nearest + "\"?" : otherwise;
+}
+
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
     const auto first = text.find_first_not_of(blanks);

@@ -100,6 +100,9 @@ void complete_grains(const KeyTable& keys, Grains& g) {
         refuse_given(keys, "grains.target_porosity", g);
         g.target_porosity = preset.porosity;
     }
+    if (const Key& porosity = keys.at("grains.target_porosity"); g.density == "custom" && !porosity.given)
+        throw InputError(keys.at("grains.density").where, "grains.density = \"custom\"",
+                         "it has no porosity of its own", "write grains.target_porosity, too");
     check_disks(keys, g);
 }
 
@@ -110,6 +113,11 @@ std::string density_name(double porosity) {
 }
 
 void check_disks(const KeyTable& keys, const Grains& g) {
+    constexpr int most = 65000;  // the kernel's pairs count grains in 16 bits
+    if (g.count > most)
+        throw InputError(keys.at("grains.count").where, fmt::format("grains.count = {}", g.count),
+                         fmt::format("a packing holds {} grains at most", most),
+                         "some hundred make a representative volume");
     if (g.radius_min > g.radius_max) {
         const Key& key = keys.at("grains.radius_min");
         throw InputError(key.where, fmt::format("grains.radius_min = {}", key.value->shown()),

@@ -95,7 +95,7 @@ void KeyTable::refuse_key(const Entry& entry, const std::string& section, const 
         elsewhere != keys_.end() && !is_table
             ? fmt::format("it belongs to {}",
                           elsewhere->section.empty() ? "the top of the file" : "[" + elsewhere->section + "]")
-            : fmt::format("did you mean \"{}\"?", nearest_name(name, names));
+            : did_you_mean(name, names, "take one of those");
     throw InputError(entry.where, fmt::format("unknown {} {}", is_table ? "table" : "key", entry.name),
                      "sandgraph keys lists what is known", advice);
 }

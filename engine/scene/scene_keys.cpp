@@ -49,7 +49,7 @@ void add_anchor_keys(KeyTable& keys, Anchor& a) {
 void add_ground_keys(KeyTable& keys, Ground& g) {
     auto ground = keys.section("ground");
     ground.choice("law", g.law, {"rve", "elastic", "mohr_coulomb"}, "what answers a strain with a stress");
-    ground.real("surcharge", g.surcharge, "kPa", at_least(0), "on the free surface");
+    ground.real("surcharge", g.surcharge, "kPa", within(0, 1e8), "on the free surface");
     ground.real("gravity", g.gravity, "m/s2", at_least(0), "downwards");
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -28,6 +29,8 @@ toml::table wrap(const std::string& name, const std::string& value) {
 }  // namespace
 
 std::string read_text(const std::string& file) {
+    if (std::filesystem::is_directory(file))
+        throw InputError({file, 0}, "cannot be read", "it is a folder", "give the name of a file");
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     if (in) text << in.rdbuf();

@@ -43,7 +43,7 @@ void Choice::read(const Entry& entry) {
     const auto found = std::ranges::find(names_, name);
     if (found == names_.end())
         entry.refuse(fmt::format("known: {}", fmt::join(names_, ", ")),
-                     fmt::format("did you mean \"{}\"?", nearest_name(name, names_)));
+                     did_you_mean(name, names_, "write one of them"));
     set_(static_cast<std::size_t>(found - names_.begin()));
 }
 

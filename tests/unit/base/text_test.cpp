@@ -34,5 +34,14 @@ TEST(Trimmed, TakesBlanksOffBothEnds) {
     EXPECT_EQ(trimmed("  "), "");
 }
 
+TEST(DidYouMean, IsAskedOnlyWhereTheNameMayBeASlip) {
+    const std::vector<std::string> known = {"anchor", "domain", "keys", "run"};
+    EXPECT_EQ(did_you_mean("anker", known, "-"), "did you mean \"anchor\"?");
+    EXPECT_EQ(did_you_mean("rnu", known, "-"), "did you mean \"run\"?");
+    for (const char* other : {"help", "foo", "x", ""})
+        EXPECT_EQ(did_you_mean(other, known, "-"), "-") << other;
+    EXPECT_EQ(did_you_mean("run", {}, "-"), "-");
+}
+
 }  // namespace
 }  // namespace sandgraph
