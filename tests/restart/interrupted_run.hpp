@@ -35,7 +35,7 @@ load_every = 0.001
 frames = [0, 0.01, 0.02, 0.03]
 history = true
 history_points = 12
-checkpoint_every = "0.05 s"
+checkpoint_every = "0.2 s"
 [[region]]
 name = "above"
 x = [0, 0.5]
