@@ -1,6 +1,7 @@
 #include "report/colour_scale.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sandgraph::report {
@@ -40,6 +41,11 @@ std::string palette(bool is_signed) {
                "5 '#edd1c2', 6 '#f7a889', 7 '#e26952', 8 '#b40426')\n";
     return "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', "
            "5 '#27ad81', 6 '#5cc863', 7 '#aadc32', 8 '#fde725')\n";
+}
+
+const char* kind_colour(std::size_t k) {
+    constexpr std::array colours = {"#440154", "#3b518b", "#2c8f8e", "#8fbf6a", "#fde725", "#e26952"};
+    return colours[k % colours.size()];
 }
 
 }  // namespace sandgraph::report

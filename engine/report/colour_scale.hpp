@@ -21,4 +21,7 @@ double round_step(double width, double parts);
 // gnuplot commands: viridis (perceptually uniform) or, for signed values, cool-warm (Moreland 2009).
 std::string palette(bool is_signed);
 
+// Of the k-th kind of a list, told apart by lightness and hue; repeats after the sixth.
+const char* kind_colour(std::size_t k);
+
 }  // namespace sandgraph::report

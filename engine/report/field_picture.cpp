@@ -42,15 +42,31 @@ std::string axes(const io::Frame& frame, const GroundView& view, const Box& box)
         title(frame, view), box.left, box.right, box.bottom, box.top, view.anchor_width, view.anchor_width);
 }
 
-std::string colours(const PointValues& shown, const ColourRange& range) {
-    const char* beyond = range.clipped_low && range.clipped_high ? " (ends: beyond)"
-                         : range.clipped_high                    ? " (top: above)"
-                         : range.clipped_low                     ? " (bottom: below)"
+// One colour a kind, named beside it.
+std::string kind_colours(const PointValues& shown) {
+    std::string steps, ticks;
+    for (std::size_t k = 0; k < shown.kinds.size(); ++k) {
+        const char *comma = k > 0 ? ", " : "", *colour = kind_colour(k);
+        steps += fmt::format("{}{} '{}', {} '{}'", comma, k, colour, k + 1, colour);
+        ticks += fmt::format("{}{} {}", comma, literal(shown.kinds[k]), k);
+    }
+    return fmt::format("set palette defined ({})\nset cbrange [-0.5:{}]\nset cbtics ({})\n", steps,
+                       static_cast<double>(shown.kinds.size()) - 0.5, ticks);
+}
+
+std::string scale_colours(const PointValues& shown, const ColourRange& range) {
+    const char* beyond = range.clipped_low && range.clipped_high ? ", some points beyond"
+                         : range.clipped_high                    ? ", some points above"
+                         : range.clipped_low                     ? ", some points below"
                                                                  : "";
     return palette(shown.is_signed) +
-           fmt::format("set cbrange [{}:{}]\nset cblabel {} offset 0.5,0\nset rmargin at screen 0.83\n",
-                       range.low, range.high,
+           fmt::format("set cbrange [{}:{}]\nset cblabel {} offset 0.5,0\n", range.low, range.high,
                        literal(fmt::format("{} [{}]{}", shown.name, shown.unit, beyond)));
+}
+
+std::string colours(const PointValues& shown, const ColourRange& range) {
+    return (shown.kinds.empty() ? scale_colours(shown, range) : kind_colours(shown)) +
+           "set rmargin at screen 0.83\n";
 }
 
 std::string plate(const io::Frame& frame, const GroundView& view) {

@@ -67,8 +67,11 @@ PointValues point_values(const io::Frame& frame, Quantity quantity) {
             return {"rotation θ, anticlockwise +", "deg", true,
                     from_gradient(frame, [](const Mat2& F) { return degrees(rotation(F)); })};
         case Quantity::mode:
-            return {"0 surrogate, 1 replay, 2 shadow, 3 blending, 4 grains, 5 flow", "-", false,
-                    field(frame, "mode", 1).values};
+            return {"who answers",
+                    "-",
+                    false,
+                    field(frame, "mode", 1).values,
+                    {"surrogate", "replay", "shadow", "blending", "grains", "flow"}};
         case Quantity::porosity:
             break;
     }

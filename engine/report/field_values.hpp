@@ -17,6 +17,8 @@ struct PointValues {
     std::string unit;            // e.g. "deg"; "-" if none
     bool is_signed = false;      // diverging colours, centred at zero
     std::vector<double> values;  // NaN: not drawn
+    // Of values that are places in a list: what each stands for. Such have one colour each, in every frame.
+    std::vector<std::string> kinds = {};
 };
 
 // InputError when the frame lacks the field the quantity is made from.
