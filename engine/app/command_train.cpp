@@ -7,8 +7,10 @@
 #include "app/commands.hpp"
 #include "app/probe.hpp"
 #include "app/stage_progress.hpp"
+#include "app/writable.hpp"
 #include "io/history_file.hpp"
 #include "scene/train_spec.hpp"
+#include "surrogate/load_surrogate.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -52,6 +54,8 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
 void run(const Options& options) {
     const scene::TrainSpec spec = scene::read_train(options.recipe);
     const fs::path program = trainer();
+    require_writable_file(options.out);
+    if (!options.evaluate.empty()) surrogate::load_surrogate(options.evaluate);  // refused before the probes
     const std::string probes = probe_log(spec, options.out.empty() ? options.evaluate : options.out);
     std::vector<std::string> arguments{program.string(), options.recipe};
     if (!options.out.empty()) arguments.insert(arguments.end(), {"-o", options.out});

@@ -32,7 +32,10 @@ int superblock_version(const std::filesystem::path& path) {
 constexpr int first_checksummed = 2;
 
 void require_hdf5(const std::filesystem::path& path) {
-    if (std::error_code none; !std::filesystem::is_regular_file(path, none))
+    std::error_code none;
+    if (std::filesystem::is_directory(path, none))
+        throw InputError({path.string()}, "a folder", "an HDF5 file is expected here", "name a file in it");
+    if (!std::filesystem::is_regular_file(path, none))
         throw InputError({path.string()}, "no such file", "an HDF5 file is expected here", "check the path");
     if (H5Fis_hdf5(path.c_str()) <= 0)
         throw InputError({path.string()}, "not an HDF5 file", "its signature is missing",

@@ -68,8 +68,9 @@ void write_packing(const std::filesystem::path& path, const PackingRecord& recor
 
 PackingRecord read_packing(const std::filesystem::path& path) {
     const h5::File file = h5::File::open(path);
-    const h5::Group root = file.root(), cell = root.open("cell");
+    const h5::Group root = file.root();
     require_content(root, "packing", schema);
+    const h5::Group cell = root.open("cell");
     PackingRecord record;
     record.recipe = h5::get_text(root, ".", "recipe");
     record.packing.H = read_matrix(cell, "H");

@@ -32,6 +32,8 @@ void InputFile::read(const Entry& entry) {
     const fs::path name = word(entry), beside = fs::path(entry.where.file).parent_path() / name;
     // Without the code a name too long would throw (found by fuzzing).
     std::error_code none;
+    if (entry.files == NamedFiles::exist && (fs::is_directory(beside, none) || fs::is_directory(name, none)))
+        entry.refuse("it is a folder", "name a file in it");
     const bool found = fs::is_regular_file(beside, none) || fs::is_regular_file(name, none);
     if (!found && entry.files == NamedFiles::exist)
         entry.refuse("no such file", "give a path relative to the file that names it, or an absolute one");
