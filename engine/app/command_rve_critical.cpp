@@ -6,6 +6,7 @@
 #include "app/command_rve.hpp"
 #include "app/critical_table.hpp"
 #include "app/stage_progress.hpp"
+#include "app/writable.hpp"
 #include "io/atomic_file.hpp"
 #include "report/critical_picture.hpp"
 
@@ -38,6 +39,7 @@ report::CriticalPicture picture_of(const std::vector<CriticalTest>& tests) {
 
 void run(Options options) {
     const std::filesystem::path folder = options.folder;
+    require_writable(folder);
     std::filesystem::create_directories(folder);
     options.plan.pressures.clear();
     for (const double p : options.kilopascals) options.plan.pressures.push_back(1e3 * p);

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/command_rve.hpp"
 #include "app/prepare_packing.hpp"
@@ -32,18 +31,19 @@ dem::Packing make_packing(const scene::RecipeSpec& recipe) {
                             tell);
 }
 
+void write_csv(const std::string& file, const dem::Packing& packing, const scene::RecipeSpec& recipe) {
+    const nlohmann::json metadata{
+        {"recipe", recipe.file}, {"pressure_Pa", recipe.pressure}, {"git", revision()}};
+    io::AtomicFile csv(file);
+    dem::write_packing_csv(csv.temporary(), packing, metadata.dump());
+    csv.commit();
+}
+
 void run(const Options& options) {
     const scene::RecipeSpec recipe = scene::read_recipe(options.recipe);
     require_writable_file(options.out), require_writable_file(options.csv);
-    std::optional<io::AtomicFile> csv;
-    if (!options.csv.empty()) csv.emplace(options.csv);
     const dem::Packing packing = make_packing(recipe);
-    if (csv) {
-        const nlohmann::json metadata{
-            {"recipe", recipe.file}, {"pressure_Pa", recipe.pressure}, {"git", revision()}};
-        dem::write_packing_csv(csv->temporary(), packing, metadata.dump());
-        csv->commit();
-    }
+    if (!options.csv.empty()) write_csv(options.csv, packing, recipe);
     io::write_packing(options.out, {packing, recipe.grains.material, recipe.text});
     fmt::print("{}: {} grains at {:g} kPa, porosity {:.4f}\n", options.out, packing.size(),
                recipe.pressure / 1000, dem::porosity(packing));

@@ -7,6 +7,7 @@
 #include "app/soil_laboratory.hpp"
 #include "app/stage_progress.hpp"
 #include "app/strength_table.hpp"
+#include "app/writable.hpp"
 #include "io/atomic_file.hpp"
 #include "report/biaxial_picture.hpp"
 
@@ -59,6 +60,7 @@ std::vector<Specimen> test_with_progress(const LaboratoryPlan& plan) {
 
 void run(const Options& options) {
     const std::filesystem::path folder = options.folder;
+    require_writable(folder);
     std::filesystem::create_directories(folder);
     const auto specimens = test_with_progress(options.quick ? shortened(options.plan) : options.plan);
     const std::vector<StrengthRow> rows = strength_rows(specimens);

@@ -15,6 +15,7 @@
 #include "app/stage_progress.hpp"
 #include "app/writable.hpp"
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "io/checkpoint.hpp"
 #include "io/xdmf.hpp"
 #include "scene/read_scene.hpp"
@@ -93,7 +94,9 @@ scene::Scene scene_of(const RunRequest& a) {
     return scene;
 }
 
-int simulate(const RunRequest& a) {
+namespace {
+
+int simulate_all(const RunRequest& a) {
     const scene::Scene scene = scene_of(a);
     const RunOptions options = options_of(a, scene);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
@@ -110,6 +113,14 @@ int simulate(const RunRequest& a) {
     finish(session, options, scene, ground);
     if (session.went_all_the_way()) session.discard_restart_files();
     return exit_done;
+}
+
+}  // namespace
+
+int simulate(const RunRequest& a) try { return simulate_all(a); } catch (const Interrupted&) {
+    fmt::print(stderr,
+               "stopped while packings were made; those that are ready are kept: the same command goes on\n");
+    return exit_stopped_early;
 }
 
 }  // namespace sandgraph::app

@@ -25,4 +25,8 @@ void catch_interrupts() {
 
 bool interrupted() { return asked.load(); }
 
+void stop_if_interrupted() {
+    if (interrupted()) throw Interrupted();
+}
+
 }  // namespace sandgraph

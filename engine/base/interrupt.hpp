@@ -1,4 +1,5 @@
 #pragma once
+#include <exception>
 
 namespace sandgraph {
 
@@ -6,5 +7,11 @@ namespace sandgraph {
 // program at once.
 void catch_interrupts();
 bool interrupted();
+
+// Leaves work that cannot go on from its middle (the making of a packing): its results are thrown away.
+struct Interrupted : std::exception {
+    const char* what() const noexcept override { return "stopped; nothing was written"; }
+};
+void stop_if_interrupted();
 
 }  // namespace sandgraph

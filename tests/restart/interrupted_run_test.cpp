@@ -63,6 +63,20 @@ TEST_F(InterruptedRun, KilledWhileItClearsUpIsResumedOrHasEnded) {
     EXPECT_TRUE(fs::exists(out("whole") / "summary.json"));
 }
 
+// No step is done yet: what is kept is the packings.
+TEST_F(InterruptedRun, StopsWhilePackingsAreMade) {
+    const fs::path cache = folder_ / "cache";
+    const pid_t pid = start("early", {"--set", "grains.count=400"});
+    while (support::program_runs(pid) && (!fs::exists(cache) || fs::is_empty(cache)))
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    kill(pid, SIGTERM);
+    EXPECT_EQ(finish(pid), 3);
+    EXPECT_FALSE(fs::exists(out("early")));
+    EXPECT_FALSE(fs::is_empty(cache));
+    for (const auto& entry : fs::directory_iterator(cache)) EXPECT_NE(entry.path().extension(), ".tmp");
+    EXPECT_EQ(run("early", {"--set", "grains.count=400", "--until", "0.001"}), 0);
+}
+
 // Scripts take summary.json for the end of a run.
 TEST_F(InterruptedRun, KilledOnItsWayHasNoSummaryOfAnEarlierEnd) {
     ASSERT_EQ(run("part", {"--until", "0.002"}), 0);
