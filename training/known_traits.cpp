@@ -1,6 +1,7 @@
 #include "training/known_traits.hpp"
 
 #include <cmath>
+#include <set>
 
 namespace sandgraph::training {
 namespace {
@@ -13,10 +14,11 @@ struct PowerLaw {
     double at(double p) const { return std::exp(constant + slope * std::log(p)); }
 };
 
-PowerLaw fit(const HistorySet& set, double PackingTraits::*trait) {
+PowerLaw fit(const HistorySet& set, const std::set<std::int32_t>& packings, double PackingTraits::*trait) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const io::HistoryPacking& packing : set.packings) {
-        const double a = std::log(packing.traits.pressure), b = std::log(packing.traits.*trait);
+    for (const std::int32_t k : packings) {
+        const PackingTraits& traits = set.packings[static_cast<std::size_t>(k)].traits;
+        const double a = std::log(traits.pressure), b = std::log(traits.*trait);
         n += 1, x += a, y += b, xx += a * a, xy += a * b;
     }
     const double spread = n * xx - x * x;
@@ -26,9 +28,11 @@ PowerLaw fit(const HistorySet& set, double PackingTraits::*trait) {
 
 }  // namespace
 
-void withhold_traits(HistorySet& set, scene::TrainTraits known) {
+void withhold_traits(HistorySet& set, const std::vector<std::int64_t>& training, scene::TrainTraits known) {
     if (known == scene::TrainTraits::all) return;
-    const PowerLaw bulk = fit(set, &PackingTraits::bulk), shear = fit(set, &PackingTraits::shear);
+    std::set<std::int32_t> seen;
+    for (const std::int64_t k : training) seen.insert(set.histories[static_cast<std::size_t>(k)].packing);
+    const PowerLaw bulk = fit(set, seen, &PackingTraits::bulk), shear = fit(set, seen, &PackingTraits::shear);
     for (io::HistoryPacking& packing : set.packings) {
         PackingTraits& t = packing.traits;
         t.coordination = 3.5, t.strength = 0.5, t.fabric_xx = t.fabric_xy = 0;

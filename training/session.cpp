@@ -52,8 +52,8 @@ void tell(Rung rung, const EpochReport& report) {
 TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::string>& logs) {
     TrainingData data;
     data.set = read_histories(logs);
-    withhold_traits(data.set, spec.traits);
     data.split = split(data.set, spec);
+    withhold_traits(data.set, data.split.training, spec.traits);
     data.rule = {.least = spec.step_least,
                  .most = spec.step_most,
                  .share = spec.step_share,

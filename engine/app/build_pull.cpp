@@ -101,7 +101,8 @@ void require_slow_plate(const scene::Scene& scene, double dt) {
     constexpr double most = 0.01;  // cells a step; the paper's rate takes 1e-4
     const double cells = scene.anchor.pull_rate * dt / scene.domain.cell;
     if (cells > most)
-        throw InputError({scene.file}, fmt::format("anchor.pull_rate = {:g} m/s", scene.anchor.pull_rate),
+        throw InputError(scene.where("anchor.pull_rate"),
+                         fmt::format("anchor.pull_rate = {:g} m/s", scene.anchor.pull_rate),
                          fmt::format("the plate would move {:.2g} cells in one step of {:.2g} s", cells, dt),
                          fmt::format("pull with {:.2g} m/s at most", most * scene.domain.cell / dt));
 }

@@ -34,7 +34,7 @@ fs::path model_file(const scene::Scene& scene) {
     const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
     for (const fs::path& from : {fs::absolute(scene.file).lexically_normal(), program})
         if (const fs::path found = found_above(from.parent_path(), kShipped); !found.empty()) return found;
-    throw InputError({scene.file, 0}, "mode = \"screening\" without a surrogate",
+    throw InputError(scene.where("mode"), "mode = \"screening\" without a surrogate",
                      std::string("no ") + kShipped + " beside the scene or the program",
                      "give [surrogate] model = \"FILE.h5\" (sandgraph train makes one)");
 }

@@ -29,7 +29,8 @@ std::vector<std::int32_t> watch(graph::Pull& pull, const scene::Scene& scene) {
         grains->watch(chosen);
         return chosen;
     }
-    throw InputError({scene.file}, "output.history = true", "a ground without grains has no DEM updates",
+    throw InputError(scene.where("output.history"), "output.history = true",
+                     "a ground without grains has no DEM updates",
                      "run with ground.law = \"rve\", or leave history out");
 }
 

@@ -84,12 +84,13 @@ scene::Scene scene_of(const RunRequest& a) {
     scene::Scene scene = scene::read_scene(a.scene, overrides);
     if (scene.mode == scene::Mode::screening) {
         if (scene.ground.law != scene::Law::rve)
-            throw InputError({a.scene, 0}, "mode = \"screening\" of a closed-form law",
+            throw InputError(a.mode.empty() ? scene.where("mode") : InputError::Where{"--mode"},
+                             "mode = \"screening\" of a closed-form law",
                              "a surrogate stands in for packings of grains", "write ground.law = \"rve\"");
         scene.screening.surrogate.model = model_file(scene).string();
     }
     if (!scene.anchor.present)
-        throw InputError({a.scene, 0}, "anchor.present = false", "`run` pulls an anchor",
+        throw InputError(scene.where("anchor.present"), "anchor.present = false", "`run` pulls an anchor",
                          "give the scene an [anchor]");
     return scene;
 }

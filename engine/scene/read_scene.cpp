@@ -39,6 +39,8 @@ Scene parse(const std::string& text, const std::string& file, std::span<const st
         merge(table, extra);
     }
     scene.text = overrides.empty() ? text : to_text(table);
+    for (const Key& key : keys.keys())
+        if (key.given) scene.given[key.full_name()] = key.where;
     complete_grains(keys, scene.ground.grains);
     place_anchor(keys, scene);
     check_scene(scene, keys);

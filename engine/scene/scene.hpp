@@ -1,9 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/error.hpp"
 #include "dem/material.hpp"
 #include "scene/region_spec.hpp"
 #include "scene/screening_spec.hpp"
@@ -107,6 +110,11 @@ struct Scene {
     Screening screening;
     Output output;
     std::vector<Region> regions;
+    std::map<std::string, InputError::Where, std::less<>> given;  // "section.key" that the scene sets: where
+    InputError::Where where(std::string_view key) const {
+        const auto it = given.find(key);
+        return it != given.end() ? it->second : InputError::Where{file, 0};
+    }
 };
 
 }  // namespace sandgraph::scene

@@ -28,6 +28,16 @@ TEST(Override, PassesTheSameChecks) {
     EXPECT_EQ(refused("", {"anchor.embedment_ratio=-2"}).rfind("--set: ", 0), 0u);
 }
 
+// For checks that come later: each key is refused where it was given.
+TEST(Override, IsTheLastPlaceWhereAKeyWasGiven) {
+    const Scene scene = with({"anchor.pull_rate=1 m/s"});
+    EXPECT_EQ(scene.where("anchor.pull_rate").file, "--set");
+    EXPECT_EQ(scene.where("domain.width").file, "s.toml");
+    EXPECT_EQ(scene.where("domain.width").line, 2);
+    EXPECT_EQ(scene.where("domain.cell").file, "s.toml");
+    EXPECT_EQ(scene.where("domain.cell").line, 0);
+}
+
 TEST(Override, StandsInTheTextThatRunsKeep) {
     const Scene scene = with({"domain.width=5 m", "anchor.embedment_ratio=2"});
     const Scene again = parse_scene(scene.text, "s.toml");
