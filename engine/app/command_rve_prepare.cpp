@@ -6,6 +6,7 @@
 #include "app/command_rve.hpp"
 #include "app/prepare_packing.hpp"
 #include "app/revision.hpp"
+#include "app/rve_options.hpp"
 #include "app/stage_progress.hpp"
 #include "app/writable.hpp"
 #include "dem/packing_csv.hpp"
@@ -27,8 +28,10 @@ dem::Packing make_packing(const scene::RecipeSpec& recipe) {
     };
     const dem::Packing base = base_packing(recipe.grains, tell);
     if (recipe.grains.packing.empty() && recipe.pressure == recipe.grains.consolidation_pressure) return base;
-    return dem::compress_to(base, {.pressure = recipe.pressure}, recipe.grains.material, fast_assemblies(),
-                            tell);
+    const dem::Material& material = recipe.grains.material;
+    return dem::compress_to(base,
+                            {.pressure = recipe.pressure, .dt = preparation_time_step(material, base.r)},
+                            material, fast_assemblies(), tell);
 }
 
 void write_csv(const std::string& file, const dem::Packing& packing, const scene::RecipeSpec& recipe) {

@@ -7,6 +7,7 @@
 #include "app/measure_friction.hpp"
 #include "app/packing_cache.hpp"
 #include "app/prepare_packing.hpp"
+#include "app/rve_options.hpp"
 #include "dem/observe.hpp"
 
 namespace sandgraph::app {
@@ -19,7 +20,9 @@ CompressedPackings::CompressedPackings(const scene::Grains& grains, const dem::P
 
 dem::Packing CompressedPackings::at(double pressure) const {
     return cached_packing(fmt::format("{}pressure = {:a}\n", recipe_, pressure), material_, [&] {
-        return dem::compress_to(base_, {.pressure = pressure}, material_, fast_assemblies());
+        return dem::compress_to(base_,
+                                {.pressure = pressure, .dt = preparation_time_step(material_, base_.r)},
+                                material_, fast_assemblies());
     });
 }
 
@@ -31,7 +34,8 @@ graph::RowPacking CompressedPackings::row(double pressure) const {
 
 graph::PlaneModuli CompressedPackings::moduli(const dem::Packing& packing, double pressure) const {
     const auto value = cached_numbers(fmt::format("{}moduli at {:a}\n", recipe_, pressure), 2, [&] {
-        const dem::Moduli m = dem::small_strain_moduli(packing, material_, fast_assemblies());
+        const dem::Moduli m = dem::small_strain_moduli(packing, material_, fast_assemblies(),
+                                                       preparation_time_step(material_, packing.r));
         return std::vector<double>{m.bulk, m.shear};
     });
     return {value[0], value[1]};

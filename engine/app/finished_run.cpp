@@ -1,5 +1,7 @@
 #include "app/finished_run.hpp"
 
+#include <cmath>
+
 #include "base/error.hpp"
 #include "scene/read_scene.hpp"
 
@@ -22,6 +24,11 @@ FinishedRun read_finished_run(const std::filesystem::path& folder) {
 
 std::string title_of(const scene::Scene& scene) {
     return scene.title.empty() ? std::filesystem::path(scene.file).stem().string() : scene.title;
+}
+
+double embedment_of(const FinishedRun& run) {
+    const double equivalent = run.summary.number("equivalent_embedment_ratio");
+    return std::isfinite(equivalent) ? equivalent : run.scene.anchor.embedment_ratio;
 }
 
 bool pulled_up(const scene::Scene& scene) {

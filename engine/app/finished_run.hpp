@@ -24,6 +24,9 @@ FinishedRun read_finished_run(const std::filesystem::path& folder);
 // What a picture calls the run: its scene's title, else the name of the scene file.
 std::string title_of(const scene::Scene& scene);
 
+// H/B with the surcharge counted as depth.
+double embedment_of(const FinishedRun& run);
+
 bool pulled_up(const scene::Scene& scene);  // horizontal plate
 
 }  // namespace sandgraph::app

@@ -6,6 +6,7 @@
 
 #include "app/packing_cache.hpp"
 #include "app/prepare_packing.hpp"
+#include "app/rve_options.hpp"
 #include "dem/element_test.hpp"
 #include "dem/element_test_strength.hpp"
 
@@ -21,6 +22,7 @@ double run_tests(const dem::Packing& packing, const dem::Material& material) {
         const auto sample = fast_assemblies()(packing, material);
         dem::BiaxialTest test{.confining_pressure = kPressures[k], .axial_strain = kStrain};
         test.modulus = dem::typical_modulus(packing, material);
+        test.dt = preparation_time_step(material, packing.r);
         peaks[k] = dem::peak_strength(dem::run_biaxial(*sample, test), kStrain);
     });
     return dem::friction_angle(peaks);

@@ -1,7 +1,10 @@
 #include "app/prepare_packing.hpp"
 
+#include <array>
+
 #include "app/load_packing.hpp"
 #include "app/make_assembly.hpp"
+#include "app/rve_options.hpp"
 
 namespace sandgraph::app {
 
@@ -13,6 +16,7 @@ dem::Recipe dem_recipe(const scene::Grains& grains) {
     recipe.r_max = grains.radius_max;
     recipe.pressure = grains.consolidation_pressure;
     recipe.porosity = grains.target_porosity;
+    recipe.dt = preparation_time_step(grains.material, std::array{grains.radius_min, grains.radius_max});
     return recipe;
 }
 

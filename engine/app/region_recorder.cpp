@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "dem/lab_packing.hpp"
 #include "graph/rve_law.hpp"
+#include "graph/screening_law.hpp"
 #include "io/packing_file.hpp"
 #include "report/kinematics.hpp"
 
@@ -81,6 +82,13 @@ void add_packings(const graph::Pull& pull, const std::vector<std::size_t>& point
     row.anisotropy = anisotropy.spread(), row.coordination = coordination.spread();
 }
 
+// None where a surrogate or a formula answers.
+const dem::Rve* packing_at(const stress::Law& law, std::size_t point) {
+    if (const auto* grains = dynamic_cast<const graph::RveLaw*>(&law)) return &grains->rve(point);
+    const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(&law);
+    return screening ? screening->packing(point) : nullptr;
+}
+
 }  // namespace
 
 RegionRecorder::RegionRecorder(const scene::Scene& scene, const graph::Pull& pull, double initial_porosity)
@@ -142,11 +150,13 @@ void RegionRecorder::keep_packings(const graph::Pull& pull, const std::filesyste
 
 void RegionRecorder::keep(const graph::Pull& pull, std::size_t region, double mark,
                           const std::filesystem::path& folder, BackgroundWriter& writer) const {
-    const auto* law = dynamic_cast<const graph::RveLaw*>(pull.state().law.get());
-    if (!law) return;
     const std::size_t point = members_[region].middle;
+    const dem::Rve* packing = packing_at(*pull.state().law, point);
+    if (!packing)
+        return fmt::print(stderr, "[[region]] {}: no packing at d/B = {:g}, no grains answer there\n",
+                          regions_[region].name, mark);
     auto record = std::make_shared<io::PackingRecord>();
-    record->packing = dem::lab_packing(law->rve(point)), record->material = material_;
+    record->packing = dem::lab_packing(*packing), record->material = material_;
     record->recipe = fmt::format("# point {} of region {} at d/B = {:.6g}\n", point, regions_[region].name,
                                  pull.d_over_B());
     const auto path = folder / "packings" / fmt::format("{}_{:04.0f}.h5", regions_[region].name, 1e3 * mark);

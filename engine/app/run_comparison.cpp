@@ -26,11 +26,6 @@ std::string text(double value, int digits) {
 }
 
 // H/B; under a surcharge that of the same overburden.
-double embedment_of(const FinishedRun& run) {
-    const double equivalent = run.summary.number("equivalent_embedment_ratio");
-    return std::isfinite(equivalent) ? equivalent : run.scene.anchor.embedment_ratio;
-}
-
 report::Row row_of(const FinishedRun& run) {
     const io::Summary& s = run.summary;
     const double formula = pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;

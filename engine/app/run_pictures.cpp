@@ -22,7 +22,7 @@ constexpr Shown kFields[] = {{report::Quantity::displacement, "displacement"},
                              {report::Quantity::mode, "mode"}};
 
 report::ReferenceLine formula(const PictureSource& source) {
-    const double ratio = source.scene.anchor.embedment_ratio, phi = source.friction_angle;
+    const double ratio = source.embedment_ratio, phi = source.friction_angle;
     if (pulled_up(source.scene)) return {"Meyerhof & Adams (1968)", report::meyerhof_adams(ratio, phi)};
     return {"Biarez (1965)", report::biarez(ratio, phi)};
 }

@@ -15,6 +15,7 @@ struct PictureSource {
     std::filesystem::path frame_file;
     double unit_load = 1;                  // B (gamma H + q_s) [N/m]
     double friction_angle = 0;             // measured on the packing [rad]; 0: unknown
+    double embedment_ratio = 0;            // equivalent H/B, surcharge counted as depth
     std::vector<std::size_t> frames = {};  // to draw; empty: all
 };
 

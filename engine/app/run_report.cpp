@@ -136,9 +136,10 @@ std::vector<FinishedRun> find_runs(const std::vector<std::string>& folders) {
 std::string run_chapter(const FinishedRun& run, const fs::path& pictures, const ChapterOptions& options) {
     const double phi = run.summary.number("friction_angle_deg"),
                  unit = run.summary.number("unit_load_N_per_m");
-    const std::string told = draw_pictures(
-        pictures, {run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1,
-                   std::isfinite(phi) ? phi * kDegree : 0, frames_shown(run, options.frames_max)});
+    const std::string told =
+        draw_pictures(pictures, {run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1,
+                                 std::isfinite(phi) ? phi * kDegree : 0, embedment_of(run),
+                                 frames_shown(run, options.frames_max)});
     std::string html =
         fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p class=\"lead\">{0}, scene {2}, revision {3}</p>\n",
                     report::escaped(run.folder.string()), report::escaped(title_of(run.scene)),

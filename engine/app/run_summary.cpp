@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "app/revision.hpp"
@@ -91,23 +92,44 @@ io::Summary summarise(const RunSession& session, const scene::Scene& scene, cons
     return s;
 }
 
+namespace {
+
+const char* breakout_words(const io::Summary& s) {
+    switch (static_cast<report::BreakoutKind>(s.number("breakout_criterion"))) {
+        case report::BreakoutKind::zero_slope:
+            return "breakout";
+        case report::BreakoutKind::steady_slope:
+            return "breakout, where the load begins to rise steadily:";
+        default:
+            return "no breakout yet, the load still rises: largest";
+    }
+}
+
+std::string energy_text(double share) {
+    if (std::isnan(share)) return "\n";  // stopped before it was looked at
+    const char* warning =
+        share > kQuasiStatic
+            ? "warning: too fast to be quasi-static (10 % is the usual limit); lower anchor.pull_rate\n"
+            : "";
+    return fmt::format(", kinetic energy at most {:.2g} of the plate's work\n{}", share, warning);
+}
+
+}  // namespace
+
 std::string summary_text(const io::Summary& s, const scene::Scene& scene, const PreparedGround& ground) {
     std::string out;
     if (scene.anchor.present) {
         const bool up = scene.anchor.orientation == scene::Orientation::horizontal;
-        out += fmt::format("{}  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n",
-                           broke_out(s) ? "breakout" : "no breakout yet, the load still rises: largest",
-                           s.n_gamma, s.peak_d_over_B, s.peak_load / 1000);
+        out += fmt::format("{}  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n", breakout_words(s), s.n_gamma,
+                           s.peak_d_over_B, s.peak_load / 1000);
         if (ground.friction_angle > 0)
             out +=
                 fmt::format("formula   N_gamma {:.2f}  ({}, phi = {:.1f} deg {})\n",
                             up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez,
                             up ? "Meyerhof & Adams 1968" : "Biarez 1965", ground.friction_angle * kDegrees,
                             scene.ground.law == scene::Law::rve ? "measured on the packing" : "of the scene");
-        out += fmt::format("late load {:.1f} kN/m, kinetic energy at most {:.2g} of the plate's work\n",
-                           s.late_load / 1000, s.kinetic_to_strain_energy_max);
-        if (s.kinetic_to_strain_energy_max > kQuasiStatic)
-            out += "warning: too fast to be quasi-static (10 % is the usual limit); lower anchor.pull_rate\n";
+        out += fmt::format("late load {:.1f} kN/m{}", s.late_load / 1000,
+                           energy_text(s.kinetic_to_strain_energy_max));
     }
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");

@@ -11,6 +11,10 @@ namespace sandgraph::app {
 // limit 8 to 20 % above it (tests/physics/dem/time_step_test.cpp).
 double critical_time_step(const dem::Material& material, std::span<const double> radii);
 
+// Step of preparations and element tests [s]: 1e-5 s as in the YADE files, less for smaller, stiffer or
+// lighter grains.
+double preparation_time_step(const dem::Material& material, std::span<const double> radii);
+
 dem::RveOptions rve_options(const scene::RveStepping& stepping, const dem::Material& material,
                             std::span<const double> radii);
 

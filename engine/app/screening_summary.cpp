@@ -46,6 +46,16 @@ std::string reasons(const io::Summary& s) {
     return out.empty() ? "none" : out;
 }
 
+std::string felt_text(const io::Summary& s) {
+    std::string out =
+        fmt::format("what the ground feels of it in one step: {:.2f} % (median), {:.2f} % (95th percentile)",
+                    100 * s.number("jump_felt_p50"), 100 * s.number("jump_felt_p95"));
+    if (s.number("ordinary_step_p95") >= 0)
+        out += fmt::format("; the same points' largest step afterwards: {:.2f} %, {:.2f} %",
+                           100 * s.number("ordinary_step_p50"), 100 * s.number("ordinary_step_p95"));
+    return out + "\n";
+}
+
 }  // namespace
 
 void add_screening(const graph::ScreeningLaw& law, io::Summary& s) {
@@ -55,10 +65,8 @@ void add_screening(const graph::ScreeningLaw& law, io::Summary& s) {
     s.surrogate_updates = c.surrogate_updates;
     s.dem_fraction_final = static_cast<double>(law.grain_points()) / points;
     s.dem_fraction_mean = c.dem_points / std::max(1.0, static_cast<double>(c.steps)) / points;
-    if (!law.audits().empty()) {
-        const graph::AuditRow& last = law.audits().back();
-        s.audit = {static_cast<std::int64_t>(last.points), last.mean, last.ci95};
-    }
+    const graph::AuditRow audit = law.audit();
+    s.audit = {static_cast<std::int64_t>(audit.points), audit.mean, audit.ci95};
     s.extra.emplace_back("rve_failures", static_cast<double>(law.counters().failures));
     s.extra.emplace_back("failed_answers", static_cast<double>(c.failed_answers));
     s.extra.emplace_back("dem_steps_replay", static_cast<double>(c.replay_steps));
@@ -75,13 +83,7 @@ std::string screening_text(const io::Summary& s) {
     if (s.number("jump_p95") >= 0)
         out += fmt::format("stress jump at hand-over: {:.1f} % of p (median), {:.1f} % (95th percentile)\n",
                            100 * s.number("jump_p50"), 100 * s.number("jump_p95"));
-    if (s.number("jump_felt_p95") >= 0)
-        out += fmt::format(
-            "what the ground feels of it in one step: {:.2f} % (median), {:.2f} % (95th percentile); the "
-            "same points' "
-            "largest step afterwards: {:.2f} %, {:.2f} %\n",
-            100 * s.number("jump_felt_p50"), 100 * s.number("jump_felt_p95"),
-            100 * s.number("ordinary_step_p50"), 100 * s.number("ordinary_step_p95"));
+    if (s.number("jump_felt_p95") >= 0) out += felt_text(s);
     if (s.audit.points > 0)
         out += fmt::format("audit: the surrogate's stress is off by {:.1f} +- {:.1f} % of p ({} points)\n",
                            100 * s.audit.stress_error_mean, 100 * s.audit.ci95, s.audit.points);

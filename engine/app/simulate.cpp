@@ -70,9 +70,10 @@ void finish(const RunSession& session, const RunOptions& o, const scene::Scene& 
     io::write_xdmf(o.folder / "fields.xdmf", session.frame_file());
     fmt::print("{}", summary_text(summary, scene, ground));
     if (scene.output.pictures)
-        fmt::print("{}\n",
-                   draw_pictures(o.folder / "pictures", {scene, session.record(), session.frame_file(),
-                                                         unit_load(scene, ground), ground.friction_angle}));
+        fmt::print("{}\n", draw_pictures(o.folder / "pictures",
+                                         {scene, session.record(), session.frame_file(),
+                                          unit_load(scene, ground), ground.friction_angle,
+                                          equivalent_embedment(scene, ground) / scene.anchor.width}));
     fmt::print("results in {}\n", o.folder.string());
 }
 

@@ -16,7 +16,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double largest_friction = 40 * degree;
 constexpr int most_trials = 30;
-constexpr long consolidation_steps = 1'000'000;
+constexpr long consolidation_steps = 1'000'000;  // for usual grains
+constexpr double gas_strain = 1;                 // of each side, more than a gas needs to jam
 
 PressureStage stage_of(const Recipe& recipe, const Packing& packing, const Material& material) {
     PressureStage stage;
@@ -27,11 +28,18 @@ PressureStage stage_of(const Recipe& recipe, const Packing& packing, const Mater
     return stage;
 }
 
+// The servo closes the gas at p/(M response) at most: slowly for stiff grains.
+long enough_steps(const PressureStage& stage) {
+    const double steps = gas_strain / (largest_rate(stage) * stage.dt);
+    return std::max(consolidation_steps, static_cast<long>(steps));
+}
+
 Packing consolidate(const Recipe& recipe, const Packing& gas, Material material, double friction,
                     const AssemblyFactory& factory, const Progress& progress) {
     material.friction_angle = friction;
     const auto assembly = factory(gas, material);
-    if (!drive_to_pressure(*assembly, stage_of(recipe, gas, material), consolidation_steps, progress))
+    const PressureStage stage = stage_of(recipe, gas, material);
+    if (!drive_to_pressure(*assembly, stage, enough_steps(stage), progress))
         throw std::runtime_error(fmt::format("consolidation to {:g} Pa does not end", recipe.pressure));
     return at_rest(assembly->packing());
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "base/error.hpp"
@@ -9,8 +10,8 @@
 namespace sandgraph::dem {
 namespace {
 
-constexpr int rounds = 20;  // servo and relaxation in turn
-constexpr long steps_per_round = 400'000;
+constexpr int rounds = 20;        // servo and relaxation in turn
+constexpr double round_time = 4;  // [s]
 constexpr double at_rest_unbalanced = 1e-5;
 
 PressureStage stage_of(const PressureTarget& target, const Packing& packing, const Material& material) {
@@ -39,6 +40,7 @@ Packing compress_to(const Packing& packing, const PressureTarget& target, const 
     const PressureStage stage = stage_of(target, packing, material);
     PressureStage accepted = stage;
     accepted.tolerance = target.tolerance;
+    const long steps_per_round = std::lround(round_time / target.dt);
     for (int round = 0; round < rounds; ++round) {
         drive_to_pressure(*assembly, stage, steps_per_round, progress);
         const bool still = relax(*assembly, at_rest_unbalanced, target.dt, steps_per_round);

@@ -1,5 +1,6 @@
 #include "dem/prepare_stages.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dem/element_test_servo.hpp"
@@ -28,6 +29,10 @@ double progress_of(const Mat2& stress, const PressureStage& stage) {
 }
 
 }  // namespace
+
+double largest_rate(const PressureStage& stage) {
+    return std::min(stage.rate, stage.pressure / (stage.modulus * servo_response));
+}
 
 bool at_pressure(const Mat2& stress, const PressureStage& stage) {
     const double allowed = stage.tolerance * stage.pressure;

@@ -16,6 +16,8 @@ struct PressureStage {
     bool release_shear = false;
 };
 
+// Strain rate at which the servo closes a packing without stress [1/s].
+double largest_rate(const PressureStage& stage);
 // True when the stress is within the tolerance.
 bool at_pressure(const Mat2& stress, const PressureStage& stage);
 // Drives until the stress stayed within the tolerance for a while; false when `max_steps` were not enough.

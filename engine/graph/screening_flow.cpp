@@ -42,8 +42,9 @@ void ScreeningLaw::hand_back(const stress::Batch& batch, double d_over_B) {
         --dem_points_;
         const double reference = reference_pressure(batch.stress[p], setup_.grains.visits().pressure_floor);
         note({screening_.steps, d_over_B, p, Reason::flow, norm(jump) / reference});
-        // Its audit goes on with the grains that have answered till now.
-        if (const std::int32_t place = audit_of_[p]; place >= 0) copy(rves_[p], audit_rves_[place]);
+        // Its audit goes on with the grains that have answered till now, whose stress it still has.
+        if (const std::int32_t place = audit_of_[p]; place >= 0)
+            copy(rves_[p], audit_rves_[place]), audit_errors_[place] = 0;
     }
 }
 

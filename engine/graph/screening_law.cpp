@@ -123,13 +123,22 @@ double ScreeningLaw::porosity(std::size_t point) const {
     return 1 - (1 - traits(static_cast<std::int32_t>(point)).porosity) / (J * F_[point].determinant());
 }
 
-void ScreeningLaw::audit_now(double d_over_B) {
+const dem::Rve* ScreeningLaw::packing(std::size_t point) const {
+    if (by_grains(point)) return &rves_[point];
+    const std::int32_t place = audit_of_[point];
+    return place >= 0 ? &audit_rves_[static_cast<std::size_t>(place)] : nullptr;
+}
+
+AuditRow ScreeningLaw::audit() const {
     std::vector<double> sample;
     for (std::size_t k = 0; k < audited_.size(); ++k)
         if (!by_grains(static_cast<std::size_t>(audited_[k]))) sample.push_back(audit_errors_[k]);
-    AuditRow audit = estimate(sample, size() - dem_points_);
-    audit.d_over_B = d_over_B;
-    audits_.push_back(audit);
+    return estimate(sample, size() - dem_points_);
+}
+
+void ScreeningLaw::audit_now(double d_over_B) {
+    audits_.push_back(audit());
+    audits_.back().d_over_B = d_over_B;
 }
 
 double ScreeningLaw::audited_error(std::size_t point) const {

@@ -27,7 +27,8 @@ class ScreeningLaw : public stress::Law {
     // Writes the surrogate's stresses, judges them, switches points and fades their jumps; audits when due.
     void hand_over(const stress::Batch& batch, const Surroundings& around);
 
-    void audit_now(double d_over_B);  // adds a row to audits()
+    AuditRow audit() const;           // of this moment
+    void audit_now(double d_over_B);  // adds it to audits()
     const std::vector<AuditRow>& audits() const { return audits_; }
     const std::vector<Switch>& switches() const { return switches_; }
     const RveCounters& counters() const { return counters_; }  // of the packings that answer
@@ -37,6 +38,8 @@ class ScreeningLaw : public stress::Law {
     bool by_grains(std::size_t point) const {
         return mode_[point] == PointMode::blending || mode_[point] == PointMode::grains;
     }
+    // That answers for the point or audits its answers; none where the surrogate is alone.
+    const dem::Rve* packing(std::size_t point) const;
     std::size_t grain_points() const { return dem_points_; }
     std::size_t size() const { return mode_.size(); }
     double porosity(std::size_t point) const;

@@ -16,8 +16,16 @@ namespace sandgraph::io {
 namespace fs = std::filesystem;
 namespace {
 
+void remove_kind(const fs::path& folder, const char* extension) {
+    if (!fs::is_directory(folder)) return;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == extension) fs::remove(entry.path());
+}
+
+// Whatever an earlier run has left: a report would take it for this one's.
 void remove_stale(const fs::path& folder) {
     remove_restart_files(folder);
+    remove_kind(folder / "packings", ".h5"), remove_kind(folder / "pictures", ".png");
     for (const char* name : {"run.h5", "summary.json", "fields.xdmf", "history.h5", "regions.csv"})
         fs::remove(folder / name);
 }

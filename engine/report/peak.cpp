@@ -51,7 +51,7 @@ struct Tail {
 Tail tail_of(Curve d, Curve load, const Smoothed& s, double steepest, const VesicCriterion& c) {
     const double length = c.steady_share * (d.back() - d.front());
     const std::size_t begin = first_after(d, d.back() - length), n = (d.size() - begin) / 2;
-    if (n < 2) return {};
+    if (n < 2 || length < c.steady_least) return {};
     const double first = linear_slope(d.subspan(begin, n), load.subspan(begin, n));
     const double second = linear_slope(d.subspan(begin + n), load.subspan(begin + n));
     const double slope = linear_slope(d.subspan(begin), load.subspan(begin));

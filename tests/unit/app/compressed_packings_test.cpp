@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
+#include "app/rve_options.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::app {
@@ -32,6 +34,28 @@ TEST(PackingTraits, DescribeThePackingAtItsPressure) {
     EXPECT_LT(traits.coordination, 4.5);
     EXPECT_LT(std::hypot(traits.fabric_xx, traits.fabric_xy), 0.1);
     EXPECT_EQ(traits.strength, std::sin(0.5));
+}
+
+TEST(PreparationStep, IsTheUsualOneOfUsualGrainsAndStaysStableForOthers) {
+    const std::vector<double> usual{0.003, 0.007}, small{0.0003, 0.0007};
+    EXPECT_EQ(preparation_time_step({}, usual), 1e-5);
+    dem::Material stiff;
+    stiff.young *= 20;
+    EXPECT_LT(preparation_time_step(stiff, usual), 0.5 * critical_time_step(stiff, usual));
+    EXPECT_LT(preparation_time_step({}, small), 0.5 * critical_time_step({}, small));
+}
+
+// All lengths by a tenth, the depth too: an assembly with the same stresses, ten times as quick.
+TEST(CompressedPackings, OfSmallGrainsAreThoseOfLargeOnesScaled) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    scene::Grains small = few_grains();
+    small.radius_min /= 10, small.radius_max /= 10, small.material.depth /= 10;
+    const graph::PlaneModuli large_moduli = CompressedPackings(few_grains()).row(40e3).moduli;
+    const CompressedPackings packings(small);
+    EXPECT_NEAR(dem::porosity(packings.at(40e3)), dem::porosity(CompressedPackings(few_grains()).at(40e3)),
+                0.005);
+    EXPECT_NEAR(packings.row(40e3).moduli.bulk, large_moduli.bulk, 0.2 * large_moduli.bulk);
 }
 
 // Contacts turn towards the compressed direction and are lost across it.

@@ -65,6 +65,18 @@ TEST_F(SpeedAndError, ParetoRunsFullFidelityTheThresholdsAndTheSurrogateAlone) {
     EXPECT_EQ(number(far.out, "dem_fraction_final"), 0);
 }
 
+// Not that of the last audit, nor that of the start, where nothing has been off yet.
+TEST_F(SpeedAndError, ARunThatStopsEarlyTellsTheErrorOfItsEnd) {
+    ASSERT_EQ(shell_
+                  .run("run scene.toml -o part --mode screening --until 0.003 --set gate.active=false "
+                       "--set audit.share=0.3 --set audit.every=0.1")
+                  .exit_code,
+              0);
+    const std::string summary = shell_.read("part/summary.json");
+    EXPECT_GT(number(summary, "stress_error_mean"), 1e-3) << summary;
+    EXPECT_NE(summary.find("\"kinetic_to_strain_energy_max\": null"), std::string::npos) << summary;
+}
+
 TEST_F(SpeedAndError, CompareRefusesWhatIsNoFinishedRun) {
     const auto outcome = shell_.run("compare nothing nowhere");
     EXPECT_EQ(outcome.exit_code, 2);

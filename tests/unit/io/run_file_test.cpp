@@ -179,9 +179,15 @@ TEST(RunFile, RefusedResumeLeavesTheFolderAsItWas) {
 TEST(RunFile, NewRunRemovesTheResultsOfAnOlderOne) {
     const Scratch folder;
     fs::create_directories(folder / "out");
-    for (const char* name : {"out/summary.json", "out/checkpoint.h5", "out/checkpoint.h5.prev"})
+    fs::create_directories(folder / "out/packings");
+    fs::create_directories(folder / "out/pictures");
+    for (const char* name : {"out/summary.json", "out/checkpoint.h5", "out/checkpoint.h5.prev",
+                             "out/packings/above_0010.h5", "out/pictures/strain_0010.png", "out/notes.txt"})
         test::overwrite(folder / name, "old");
     RunFile::create(folder / "out", info);
+    EXPECT_TRUE(fs::is_empty(folder / "out/packings"));
+    EXPECT_TRUE(fs::is_empty(folder / "out/pictures"));
+    EXPECT_TRUE(fs::exists(folder / "out/notes.txt"));
     EXPECT_FALSE(fs::exists(folder / "out/summary.json"));
     EXPECT_FALSE(fs::exists(folder / "out/checkpoint.h5"));
     EXPECT_FALSE(fs::exists(folder / "out/checkpoint.h5.prev"));

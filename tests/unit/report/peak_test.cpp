@@ -82,6 +82,16 @@ TEST(Breakout, StillRisingCurvesAreSaidToBeSo) {
     }
 }
 
+// A piece of any smooth curve is straight if it is short.
+TEST(Breakout, CurvesCutBeforeTheirPeakAreStillRising) {
+    for (const double to : {0.006, 0.008, 0.01, 0.015})
+        for (const double noise : {0.0, 0.02}) {
+            const Breakout b = of(curve(softening, noise, to));
+            EXPECT_EQ(b.kind, BreakoutKind::still_rising) << to << " " << noise;
+        }
+    EXPECT_EQ(of(curve(hardening, 0, 0.15)).kind, BreakoutKind::still_rising);
+}
+
 TEST(Breakout, ShortDropOnTheWayUpIsNoBreakout) {
     const auto wiggle = [](double d) {
         return softening(d / 2) - 0.08 * std::exp(-std::pow((d - 0.015) / 0.003, 2));
