@@ -27,15 +27,13 @@ void run(const Options& options) {
     require_writable_file(options.out);
     const io::PackingRecord record = load_packing(options.packing);
     const scene::ElementTestSpec spec = scene::read_element_test(options.test, record.material);
+    const ElementOutcome outcome = run_element_test(spec, record.packing, metadata(options));
     if (options.out.empty()) {
-        run_element_test(spec, record.packing, "/dev/stdout", metadata(options));
+        fmt::print("{}", outcome.csv);
         return;
     }
-    io::AtomicFile out(options.out);
-    const std::string outcome =
-        run_element_test(spec, record.packing, out.temporary().string(), metadata(options));
-    out.commit();
-    fmt::print("{}: {}\n", options.out, outcome);
+    io::write_text(options.out, outcome.csv);
+    fmt::print("{}: {}\n", options.out, outcome.told);
 }
 
 }  // namespace

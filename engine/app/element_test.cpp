@@ -94,9 +94,8 @@ std::string summary(const std::vector<dem::ShearRow>& rows) {
 std::string summary(const std::vector<dem::ElementRow>& rows) { return summary(rows.back()); }
 
 template <class Row>
-std::string written(const std::vector<Row>& rows, const std::string& file, const std::string& metadata) {
-    dem::write_element_csv(file, rows, metadata);
-    return summary(rows);
+ElementOutcome outcome(const std::vector<Row>& rows, const std::string& metadata) {
+    return {dem::element_csv(rows, metadata), summary(rows)};
 }
 
 // The step of the DEM itself; in a fast path it only divides the path.
@@ -111,17 +110,17 @@ void check_time_step(const scene::ElementTestSpec& spec, const dem::Packing& pac
 
 }  // namespace
 
-std::string run_element_test(const scene::ElementTestSpec& spec, const dem::Packing& packing,
-                             const std::string& file, const std::string& metadata) {
+ElementOutcome run_element_test(const scene::ElementTestSpec& spec, const dem::Packing& packing,
+                                const std::string& metadata) {
     check_time_step(spec, packing);
-    if (spec.kind == scene::TestKind::path) return written(run_path(spec, packing), file, metadata);
+    if (spec.kind == scene::TestKind::path) return outcome(run_path(spec, packing), metadata);
     const double modulus = dem::typical_modulus(packing, spec.material);
     const auto sample = make_assembly(spec.mode, packing, spec.material);
     if (spec.kind == scene::TestKind::biaxial)
-        return written(dem::run_biaxial(*sample, biaxial_test(spec, modulus)), file, metadata);
+        return outcome(dem::run_biaxial(*sample, biaxial_test(spec, modulus)), metadata);
     if (spec.kind == scene::TestKind::simple_shear)
-        return written(dem::run_shear(*sample, shear_test(spec, modulus)), file, metadata);
-    return written(dem::run_isotropic(*sample, isotropic_test(spec, modulus)), file, metadata);
+        return outcome(dem::run_shear(*sample, shear_test(spec, modulus)), metadata);
+    return outcome(dem::run_isotropic(*sample, isotropic_test(spec, modulus)), metadata);
 }
 
 }  // namespace sandgraph::app

@@ -7,9 +7,13 @@
 
 namespace sandgraph::app {
 
-// Runs the test on the packing and writes the rows as CSV to `file` (dem/element_test_csv.hpp); `metadata` is
-// its first line, a JSON object. Returns one line that sums the outcome up.
-std::string run_element_test(const scene::ElementTestSpec& spec, const dem::Packing& packing,
-                             const std::string& file, const std::string& metadata);
+struct ElementOutcome {
+    std::string csv;   // the rows (dem/element_test_csv.hpp)
+    std::string told;  // one line that sums them up
+};
+
+// Runs the test on the packing; `metadata`, a JSON object, is the first line of the CSV.
+ElementOutcome run_element_test(const scene::ElementTestSpec& spec, const dem::Packing& packing,
+                                const std::string& metadata);
 
 }  // namespace sandgraph::app

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <stdexcept>
 #include <string_view>
 
 namespace sandgraph::dem {
@@ -44,29 +42,24 @@ std::string line(const ShearRow& row) {
 }
 
 template <class Row>
-void write(const std::filesystem::path& file, std::span<const Row> rows, const std::string& metadata,
-           std::string_view more_columns) {
-    std::ofstream out(file, std::ios::binary);
-    out << "# " << metadata << '\n' << path_columns << more_columns << '\n';
-    for (const Row& row : rows) out << line(row) << '\n';
-    if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+std::string text(std::span<const Row> rows, const std::string& metadata, std::string_view more_columns) {
+    std::string out = fmt::format("# {}\n{}{}\n", metadata, path_columns, more_columns);
+    for (const Row& row : rows) out += line(row) + '\n';
+    return out;
 }
 
 }  // namespace
 
-void write_element_csv(const std::filesystem::path& file, std::span<const ElementRow> rows,
-                       const std::string& metadata) {
-    write(file, rows, metadata, "");
+std::string element_csv(std::span<const ElementRow> rows, const std::string& metadata) {
+    return text(rows, metadata, "");
 }
 
-void write_element_csv(const std::filesystem::path& file, std::span<const BiaxialRow> rows,
-                       const std::string& metadata) {
-    write(file, rows, metadata, biaxial_columns);
+std::string element_csv(std::span<const BiaxialRow> rows, const std::string& metadata) {
+    return text(rows, metadata, biaxial_columns);
 }
 
-void write_element_csv(const std::filesystem::path& file, std::span<const ShearRow> rows,
-                       const std::string& metadata) {
-    write(file, rows, metadata, shear_columns);
+std::string element_csv(std::span<const ShearRow> rows, const std::string& metadata) {
+    return text(rows, metadata, shear_columns);
 }
 
 }  // namespace sandgraph::dem

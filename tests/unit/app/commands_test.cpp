@@ -69,6 +69,15 @@ TEST(RveTest, WritesToTheTerminalWithoutAnOutputFile) {
     EXPECT_NE(shell.run("rve test t.toml --packing p.csv").out.find("step,t,Fxx"), std::string::npos);
 }
 
+TEST(RveTest, AppendsWhereTheTerminalIsAFile) {
+    const Shell shell("append");
+    shell.write("p.csv", lattice());
+    shell.write("t.toml", compression("reference"));
+    shell.write("all.csv", "earlier\n");
+    ASSERT_EQ(shell.run("rve test t.toml --packing p.csv >>all.csv && true").exit_code, 0);
+    EXPECT_EQ(shell.read("all.csv").rfind("earlier\n# {", 0), 0u);
+}
+
 TEST(RvePrepare, MakesWhatTheTestReads) {
     const Shell shell("prepare");
     shell.write("r.toml", "pressure = \"20 kPa\"\n[grains]\ncount = 60\n");
