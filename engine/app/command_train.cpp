@@ -38,6 +38,7 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
     const fs::path log = fs::path(out).replace_extension(".probes.h5");
     const scene::ProbeSpec probe = scene::read_probe(spec.probe);
     if (fs::exists(log) && io::read_history_source(log).text == probe.text) return log.string();
+    require_writable_file(log);
     StageProgress progress;
     write_probe(probe, log, [&progress](std::string_view stage, double f) { progress.update(stage, f); });
     return log.string();

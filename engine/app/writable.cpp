@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "io/atomic_file.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -34,10 +35,16 @@ void require_writable(const fs::path& folder) {
 
 void require_writable_file(const fs::path& file) {
     if (file.empty()) return;
-    if (fs::is_directory(file))
-        throw InputError({file.string(), 0}, "cannot be written", "it is a folder",
+    std::error_code unknown;
+    const fs::file_status there = fs::status(file, unknown);
+    // Renaming the finished file over a device or a pipe would replace it.
+    if (there.type() != fs::file_type::not_found && !fs::is_regular_file(there))
+        throw InputError({file.string(), 0}, "cannot be written",
+                         fs::is_directory(there) ? "it is a folder"
+                         : fs::exists(there)     ? "it is no ordinary file"
+                                                 : unknown.message(),
                          "give the name of a file");
-    const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+    const fs::path folder = fs::absolute(io::link_target(file)).lexically_normal().parent_path();
     if (!fs::is_directory(folder))
         throw InputError({file.string(), 0}, "cannot be written", "there is no folder " + folder.string(),
                          "make the folder first, or give another file");

@@ -19,7 +19,16 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+constexpr int kMostLinks = 40;  // as the kernel follows
+
 }  // namespace
+
+fs::path link_target(fs::path path) {
+    std::error_code none;
+    for (int k = 0; k < kMostLinks && fs::is_symlink(fs::symlink_status(path, none)); ++k)
+        path = path.parent_path() / fs::read_symlink(path);
+    return path;
+}
 
 void sync_to_disk(const fs::path& path) {
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -30,7 +39,7 @@ void sync_to_disk(const fs::path& path) {
     if (status != 0 && code != EINVAL) fail(code, path, "flush");
 }
 
-AtomicFile::AtomicFile(fs::path final_path) : final_(std::move(final_path)), temporary_(final_) {
+AtomicFile::AtomicFile(fs::path final_path) : final_(link_target(std::move(final_path))), temporary_(final_) {
     temporary_ += ".tmp";
 }
 

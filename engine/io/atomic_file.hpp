@@ -5,8 +5,8 @@
 namespace sandgraph::io {
 
 // A file that appears whole or not at all: write to `temporary()`, then `commit()` flushes it to the disk and
-// renames it over the final name. Destroyed without commit, it leaves no trace. System failures (disk full,
-// no permission) throw std::system_error.
+// renames it over the final name; a symbolic link stays and its target is replaced. Destroyed without commit,
+// it leaves no trace. System failures (disk full, no permission) throw std::system_error.
 class AtomicFile {
   public:
     explicit AtomicFile(std::filesystem::path final_path);
@@ -26,6 +26,9 @@ class AtomicFile {
 
 // Writes a whole text file atomically.
 void write_text(const std::filesystem::path& path, std::string_view text);
+
+// Where a chain of symbolic links leads, whether there is something or not; `path` itself if it is no link.
+std::filesystem::path link_target(std::filesystem::path path);
 
 // fsync of a file or a folder.
 void sync_to_disk(const std::filesystem::path& path);
