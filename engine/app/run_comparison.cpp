@@ -3,14 +3,17 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "app/run_pictures.hpp"
 #include "app/run_report.hpp"
-#include "report/breakout_picture.hpp"
+#include "app/run_summary.hpp"
 #include "report/html.hpp"
 
 namespace sandgraph::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -29,28 +32,18 @@ std::string text(double value, int digits) {
 report::Row row_of(const FinishedRun& run) {
     const io::Summary& s = run.summary;
     const double formula = pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
-    return {run.folder.string(),        series_of(run),
-            text(embedment_of(run), 3), text(s.n_gamma, 3),
-            text(formula, 3),           fmt::format("{:+.1f} %", 100 * (s.n_gamma / formula - 1)),
-            text(s.peak_d_over_B, 2),   text(s.late_load / 1000, 3),
-            text(s.wall_s, 3)};
+    // The largest load of a curve that still rises tells nothing of the formula.
+    const double difference = broke_out(s) ? 100 * (s.n_gamma / formula - 1) : std::nan("");
+    return {
+        run.folder.string(),        series_of(run),
+        text(embedment_of(run), 3), text(s.n_gamma, 3) + (broke_out(s) ? "" : " (still rising)"),
+        text(formula, 3),           std::isfinite(difference) ? fmt::format("{:+.1f} %", difference) : "-",
+        text(s.peak_d_over_B, 2),   text(s.late_load / 1000, 3),
+        text(s.wall_s, 3)};
 }
 
-std::vector<report::BreakoutSeries> series(const std::vector<FinishedRun>& runs) {
-    std::map<std::string, report::BreakoutSeries> found;
-    for (const FinishedRun& run : runs) {
-        report::BreakoutSeries& s = found[series_of(run)];
-        s.label = series_of(run), s.horizontal = pulled_up(run.scene);
-        const double phi = run.summary.number("friction_angle_deg") * kDegree;
-        if (std::isfinite(phi)) s.friction_angle += phi;
-        s.embedment.push_back(embedment_of(run)), s.n_gamma.push_back(run.summary.n_gamma);
-    }
-    std::vector<report::BreakoutSeries> out;
-    for (auto& [label, s] : found) {
-        s.friction_angle /= static_cast<double>(s.embedment.size());
-        out.push_back(std::move(s));
-    }
-    return out;
+double mean(const std::vector<double>& values) {
+    return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
 report::LoadPicture load_picture(const std::vector<FinishedRun>& runs, bool up) {
@@ -68,24 +61,55 @@ report::LoadPicture load_picture(const std::vector<FinishedRun>& runs, bool up) 
 
 }  // namespace
 
-std::string comparison_chapter(const std::vector<FinishedRun>& runs, const std::filesystem::path& pictures) {
+std::vector<report::BreakoutSeries> breakout_series(const std::vector<FinishedRun>& runs) {
+    std::map<std::string, std::pair<report::BreakoutSeries, std::vector<double>>> found;  // angles
+    for (const FinishedRun& run : runs) {
+        if (!broke_out(run.summary) || !std::isfinite(run.summary.n_gamma)) continue;
+        auto& [s, angles] = found[series_of(run)];
+        s.label = series_of(run), s.horizontal = pulled_up(run.scene);
+        const double phi = run.summary.number("friction_angle_deg") * kDegree;
+        if (std::isfinite(phi)) angles.push_back(phi);
+        s.embedment.push_back(embedment_of(run)), s.n_gamma.push_back(run.summary.n_gamma);
+    }
+    std::vector<report::BreakoutSeries> out;
+    for (auto& [label, of] : found) {
+        of.first.friction_angle = mean(of.second);
+        out.push_back(std::move(of.first));
+    }
+    return out;
+}
+
+namespace {
+
+// An older report's picture goes first: it would pass for this one's if none can be drawn.
+std::string load_figure(const std::vector<FinishedRun>& runs, bool up, const fs::path& png) {
+    fs::remove(png);
+    const report::LoadPicture loads = load_picture(runs, up);
+    if (loads.curves.empty()) return "";
+    report::draw_load_picture(loads, png);
+    return report::figure(png, "Load curves: " + loads.title);
+}
+
+std::string breakout_figure(const std::vector<FinishedRun>& runs, const fs::path& png) {
+    fs::remove(png);
+    const std::vector<report::BreakoutSeries> series = breakout_series(runs);
+    if (series.empty()) return "<p>No run has broken out yet.</p>\n";
+    report::draw_breakout_picture(series, png);
+    return report::figure(png,
+                          "Breakout factor against embedment of the runs that broke out, with the closed "
+                          "forms at the friction angle measured on the packings");
+}
+
+}  // namespace
+
+std::string comparison_chapter(const std::vector<FinishedRun>& runs, const fs::path& pictures) {
     std::vector<report::Row> rows = {{"run", "anchor, sand", "H/B", "N_gamma", "formula", "difference",
                                       "at d/B", "late load [kN/m]", "wall time [s]"}};
     for (const FinishedRun& run : runs) rows.push_back(row_of(run));
-    std::string html = report::table(rows);
-    std::filesystem::create_directories(pictures);
-    report::draw_breakout_picture(series(runs), pictures / "breakout.png");
-    for (const bool up : {true, false}) {
-        const report::LoadPicture loads = load_picture(runs, up);
-        const std::filesystem::path png = pictures / (up ? "loads_horizontal.png" : "loads_vertical.png");
-        if (loads.curves.empty()) continue;
-        report::draw_load_picture(loads, png);
-        html += report::figure(png, "Load curves: " + loads.title);
-    }
-    html += report::figure(pictures / "breakout.png",
-                           "Breakout factor against embedment, with the closed forms at "
-                           "the friction angle measured on the packings");
-    return html;
+    fs::create_directories(pictures);
+    return report::table(rows) + load_figure(runs, true, pictures / "loads_horizontal.png") +
+           load_figure(runs, false, pictures / "loads_vertical.png") +
+           breakout_figure(runs, pictures / "breakout.png");
 }
 
 }  // namespace sandgraph::app
