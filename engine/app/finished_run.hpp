@@ -18,6 +18,9 @@ struct FinishedRun {
     std::filesystem::path frame_file() const { return folder / "run.h5"; }
 };
 
+// "r1/" and "./r1" as "r1", "." by its own name: the last part names the run.
+std::filesystem::path plain_folder(const std::filesystem::path& folder);
+
 // InputError when the folder holds no finished run (run.h5 and summary.json).
 FinishedRun read_finished_run(const std::filesystem::path& folder);
 

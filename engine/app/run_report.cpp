@@ -79,6 +79,15 @@ bool is_field_picture(const std::string& stem) {
     return field != stem && std::ranges::find(field_picture_names(), field) != field_picture_names().end();
 }
 
+// Those and load.png, regions.png, stress_paths.png and packings' NAME_DDDD.png.
+bool is_own_picture(const fs::path& file) {
+    const std::string stem = file.stem().string(), number = stem.substr(stem.rfind('_') + 1);
+    const bool numbered =
+        number != stem && number.size() >= 4 && number.find_first_not_of("0123456789") == std::string::npos;
+    return file.extension() == ".png" &&
+           (numbered || stem == "load" || stem == "regions" || stem == "stress_paths");
+}
+
 // Of many frames those nearest to the breakout and to even steps up to the last.
 std::vector<std::size_t> frames_shown(const FinishedRun& run, std::size_t most) {
     std::vector<double> d;
@@ -93,6 +102,15 @@ std::vector<std::size_t> frames_shown(const FinishedRun& run, std::size_t most) 
     add(run.summary.peak_d_over_B);
     for (std::size_t k = 1; k < most; ++k) add(d.back() * double(k) / double(most - 1));
     return {chosen.begin(), chosen.end()};
+}
+
+// What an older report left would pass for this run's.
+void clear_pictures(const fs::path& folder) {
+    if (!fs::is_directory(folder)) return;
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (is_own_picture(entry.path())) old.push_back(entry.path());
+    for (const fs::path& png : old) fs::remove(png);
 }
 
 std::string field_figures(const FinishedRun& run, const fs::path& pictures) {
@@ -114,16 +132,20 @@ std::string field_figures(const FinishedRun& run, const fs::path& pictures) {
 
 std::vector<FinishedRun> find_runs(const std::vector<std::string>& folders) {
     std::vector<fs::path> found;
+    std::set<fs::path> seen;  // however they were written
+    const auto take = [&](const fs::path& folder) {
+        if (is_run(folder) && seen.insert(fs::canonical(folder)).second)
+            found.push_back(plain_folder(folder));
+    };
     for (const std::string& folder : folders) {
         if (!fs::is_directory(folder))
             throw InputError({folder, 0}, "no such folder", "a report is made from run folders",
                              "check the path");
-        if (is_run(folder)) found.emplace_back(folder);
+        take(folder);
         for (const auto& entry : fs::recursive_directory_iterator(folder))
-            if (entry.is_directory() && is_run(entry.path())) found.push_back(entry.path());
+            if (entry.is_directory()) take(entry.path());
     }
     std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
     if (found.empty())
         throw InputError({folders.front(), 0}, "no finished run",
                          "a run folder holds run.h5 and summary.json",
@@ -136,6 +158,7 @@ std::vector<FinishedRun> find_runs(const std::vector<std::string>& folders) {
 std::string run_chapter(const FinishedRun& run, const fs::path& pictures, const ChapterOptions& options) {
     const double phi = run.summary.number("friction_angle_deg"),
                  unit = run.summary.number("unit_load_N_per_m");
+    clear_pictures(pictures);
     const std::string told =
         draw_pictures(pictures, {run.scene, run.record, run.frame_file(), std::isfinite(unit) ? unit : 1,
                                  std::isfinite(phi) ? phi * kDegree : 0, embedment_of(run),
