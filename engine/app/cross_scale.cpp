@@ -39,11 +39,11 @@ std::vector<KeptPacking> kept_packings(const fs::path& folder) {
 
 std::string packing_figures(const FinishedRun& run, const fs::path& pictures) {
     std::string html;
-    std::optional<Mat2> first;
+    std::optional<report::PackingPicture::FirstCell> first;
     std::string region;
     for (const KeptPacking& kept : kept_packings(run.folder / "packings")) {
         const io::PackingRecord record = io::read_packing(kept.file);
-        if (kept.region != region) first = record.packing.H, region = kept.region;
+        if (kept.region != region) first = {record.packing.H, kept.d_over_B}, region = kept.region;
         const std::string caption = fmt::format("packing of {}, d/B = {:.3g}", kept.region, kept.d_over_B);
         const fs::path png = pictures / (kept.file.stem().string() + ".png");
         report::draw_packing_picture(

@@ -131,10 +131,15 @@ struct Extent {
     }
 };
 
+std::string first_item(double d_over_B) {
+    return ", 'first.txt' with lines dt 3 lw 2 lc rgb '#D55E00' title " +
+           literal(d_over_B > 0 ? fmt::format("at d/B = {:.3g}", d_over_B) : "before the pull");
+}
+
 std::string network_script(const PackingPicture& picture, const Contacts& contacts, const Vec2& middle) {
     Extent extent;
     extent.take(picture.packing.H);
-    if (picture.first_cell) extent.take(*picture.first_cell);
+    if (picture.first_cell) extent.take(picture.first_cell->H);
     return fmt::format(
         "set origin 0,0.02\nset size 0.58,0.92\nset size ratio -1\nset xrange [{}:{}]\nset yrange "
         "[{}:{}]\nset "
@@ -148,8 +153,7 @@ std::string network_script(const PackingPicture& picture, const Contacts& contac
         "'cell.txt' with lines lw 2 lc rgb 'black' title 'periodic cell'{}\n",
         middle.x() - 1.1 * extent.x, middle.x() + 1.1 * extent.x, middle.y() - 1.1 * extent.y,
         middle.y() + 1.1 * extent.y, contacts.size(), mean_force(contacts), widest_bar / bar_of_mean,
-        picture.first_cell ? ", 'first.txt' with lines dt 3 lw 2 lc rgb '#D55E00' title 'before the pull'"
-                           : "");
+        picture.first_cell ? first_item(picture.first_cell->d_over_B) : "");
 }
 
 }  // namespace
@@ -165,7 +169,7 @@ Plot packing_plot(const PackingPicture& picture) {
                  {"bars.txt", empty ? "0 0\n" : bar_rows(p, contacts)},
                  {"cell.txt", cell_rows(p.H, middle)},
                  {"rose.txt", empty ? "0 0\n" : rose_rows(contacts)}};
-    if (picture.first_cell) plot.data.emplace_back("first.txt", cell_rows(*picture.first_cell, middle));
+    if (picture.first_cell) plot.data.emplace_back("first.txt", cell_rows(picture.first_cell->H, middle));
     double largest = 1.5;
     if (!empty)
         for (const double share : rose(contacts)) largest = std::max(largest, share);

@@ -12,7 +12,12 @@ struct PackingPicture {
     std::string title;
     dem::Packing packing;
     dem::Material material;
-    std::optional<Mat2> first_cell;  // H before the pull, drawn dotted
+    // The packing's earliest known cell, drawn dotted.
+    struct FirstCell {
+        Mat2 H;
+        double d_over_B = 0;
+    };
+    std::optional<FirstCell> first_cell;
 };
 
 // Left the grains with their force chains: a bar from centre to centre at each contact, as thick as its

@@ -48,7 +48,7 @@ TEST_F(CrossScalePictures, AreDrawnOfRegionsThatKnowTheirPackingsOrNot) {
 }
 
 TEST_F(CrossScalePictures, DrawPackingsWithAndWithoutContacts) {
-    PackingPicture picture{"three grains", {}, {}, Mat2(Mat2::Identity() * 0.03)};
+    PackingPicture picture{"three grains", {}, {}, {{Mat2::Identity() * 0.03, 0.1}}};
     picture.packing.H = Mat2::Identity() * 0.03;
     picture.packing.x = {0.005, 0.0149, 0.02}, picture.packing.y = {0.01, 0.01, 0.02},
     picture.packing.r = {5e-3, 5e-3, 4e-3};
@@ -56,6 +56,16 @@ TEST_F(CrossScalePictures, DrawPackingsWithAndWithoutContacts) {
     EXPECT_TRUE(touching.drawn) << touching.message;
     picture.packing.r = {1e-3, 1e-3, 1e-3};
     EXPECT_TRUE(draw_packing_picture(picture, folder_ / "b.png").drawn);
+}
+
+TEST_F(CrossScalePictures, CallThePackingsFirstCellThatBeforeThePullOnlyIfItIs) {
+    PackingPicture picture{"empty", {}, {}, {{Mat2::Identity() * 0.03, 0}}};
+    picture.packing.H = Mat2::Identity() * 0.03;
+    EXPECT_NE(packing_plot(picture).script.find("'before the pull'"), std::string::npos);
+    picture.first_cell->d_over_B = 0.05;
+    const std::string later = packing_plot(picture).script;
+    EXPECT_EQ(later.find("before the pull"), std::string::npos);
+    EXPECT_NE(later.find("'at d/B = 0.05'"), std::string::npos);
 }
 
 // e = 0.27 - 0.01 p / 100 kPa, two densities with opposite scatter.
