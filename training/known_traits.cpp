@@ -22,7 +22,8 @@ PowerLaw fit(const HistorySet& set, const std::set<std::int32_t>& packings, doub
         n += 1, x += a, y += b, xx += a * a, xy += a * b;
     }
     const double spread = n * xx - x * x;
-    const double slope = spread > 0 ? (n * xy - x * y) / spread : 0;
+    // Equal pressures leave round-off.
+    const double slope = spread > 1e-9 * n * xx ? (n * xy - x * y) / spread : 0;
     return {(y - slope * x) / n, slope};
 }
 

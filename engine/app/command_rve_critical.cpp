@@ -32,8 +32,7 @@ report::CriticalPicture picture_of(const std::vector<CriticalTest>& tests) {
     report::CriticalPicture picture;
     for (const CriticalTest& test : tests)
         picture.curves.push_back({test.density, test.pressure, critical_state(test).void_ratio(), test.rows});
-    const CriticalLine line = critical_line(tests);
-    picture.e_0 = line.e_0, picture.slope = line.slope;
+    if (const auto line = critical_line(tests)) picture.line = {line->e_0, line->slope};
     return picture;
 }
 

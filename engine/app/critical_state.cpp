@@ -88,14 +88,16 @@ CriticalSpread critical_spread(const std::vector<CriticalTest>& tests, const std
     return out;
 }
 
-CriticalLine critical_line(const std::vector<CriticalTest>& tests) {
+std::optional<CriticalLine> critical_line(const std::vector<CriticalTest>& tests) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const CriticalTest& test : tests) {
         const double p = test.pressure / 100e3, e = critical_state(test).void_ratio();
         ++n, x += p, y += e, xx += p * p, xy += p * e;
     }
-    const double spread = n * xx - x * x, slope = spread > 0 ? -(n * xy - x * y) / spread : 0;
-    return {(y + slope * x) / n, slope};
+    const double spread = n * xx - x * x;
+    if (!(spread > 1e-9 * n * xx)) return std::nullopt;  // equal pressures leave round-off
+    const double slope = -(n * xy - x * y) / spread;
+    return CriticalLine{(y + slope * x) / n, slope};
 }
 
 }  // namespace sandgraph::app

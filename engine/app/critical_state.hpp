@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,10 +48,10 @@ CriticalSpread critical_spread(const std::vector<CriticalTest>& tests, const std
                                double pressure);
 
 // Critical state line e = e_0 - slope p / 100 kPa, least squares over all tests: Li & Wang (1998) with
-// exponent 1, since the contacts of this sand are linear.
+// exponent 1, since the contacts of this sand are linear. None of tests at one pressure.
 struct CriticalLine {
     double e_0 = 0, slope = 0;
 };
-CriticalLine critical_line(const std::vector<CriticalTest>& tests);
+std::optional<CriticalLine> critical_line(const std::vector<CriticalTest>& tests);
 
 }  // namespace sandgraph::app

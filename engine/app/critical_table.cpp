@@ -32,11 +32,10 @@ std::string critical_table(const std::vector<CriticalTest>& tests, const Critica
     for (const double pressure : plan.pressures)
         for (const char* density : kDensities)
             text += line(density, pressure, critical_spread(tests, density, pressure));
-    const CriticalLine csl = critical_line(tests);
-    return text + fmt::format(
-                      "published near 20 kPa (Liang et al. 2021): q/p 0.36, n 0.206, F_a 0.32\n"
-                      "critical state line: e = {:.4f} - {:.5f} p / 100 kPa\n",
-                      csl.e_0, csl.slope);
+    text += "published near 20 kPa (Liang et al. 2021): q/p 0.36, n 0.206, F_a 0.32\n";
+    if (const auto csl = critical_line(tests))
+        text += fmt::format("critical state line: e = {:.4f} - {:.5f} p / 100 kPa\n", csl->e_0, csl->slope);
+    return text;
 }
 
 std::string critical_csv(const std::vector<CriticalTest>& tests) {

@@ -6,7 +6,8 @@
 
 namespace sandgraph::app {
 
-// Late q/p, n, F_a and Z by density and pressure beside the published values, and the critical state line.
+// Late q/p, n, F_a and Z by density and pressure beside the published values, and the critical state line if
+// there are two pressures or more.
 std::string critical_table(const std::vector<CriticalTest>& tests, const CriticalPlan& plan);
 
 // One row a test: density, seed, pressure [Pa], then the late values.

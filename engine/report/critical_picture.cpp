@@ -82,9 +82,12 @@ std::string curves_of(const Panel& panel) {
 std::string late_panel(const CriticalPicture& picture) {
     std::string text = "set xlabel 'mean stress p [kPa]'\nset ylabel 'late void ratio e'\nplot ";
     for (const Style& s : styles)
-        text += fmt::format("'late_{}.txt' with points pt 7 ps 1 lc rgb '{}', ", s.density, s.full);
-    return text +
-           fmt::format("{} - {} * x / 100 with lines lw 2 lc rgb '#444444'\n", picture.e_0, picture.slope);
+        text += fmt::format("{}'late_{}.txt' with points pt 7 ps 1 lc rgb '{}'",
+                            &s == &styles.front() ? "" : ", ", s.density, s.full);
+    if (picture.line)
+        text += fmt::format(", {} - {} * x / 100 with lines lw 2 lc rgb '#444444'", picture.line->e_0,
+                            picture.line->slope);
+    return text + "\n";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,15 @@ struct CriticalCurve {
 
 struct CriticalPicture {
     std::vector<CriticalCurve> curves;
-    double e_0 = 0, slope = 0;  // e = e_0 - slope p / 100 kPa
+    struct Line {
+        double e_0 = 0, slope = 0;  // e = e_0 - slope p / 100 kPa
+    };
+    std::optional<Line> line;
 };
 
 // q/p, porosity and fabric anisotropy against shear strain (logarithmic, so that peak and critical state both
 // show; thin lines tests, thick ones the mean of a density), and late void ratio against pressure with its
-// line.
+// line if it is known.
 Plot critical_plot(const CriticalPicture& picture);
 Picture draw_critical_picture(const CriticalPicture& picture, const std::filesystem::path& png);
 

@@ -44,14 +44,26 @@ TEST(CriticalState, LineGoesThroughPointsOnALine) {
     std::vector<CriticalTest> tests;
     for (const double p : {2e3, 2e4, 2e5})
         tests.push_back(shear("dense", 1, p, 0.36, 0.27 - 0.005 * p / 100e3));
-    const CriticalLine line = critical_line(tests);
-    EXPECT_NEAR(line.e_0, 0.27, 1e-12);
-    EXPECT_NEAR(line.slope, 0.005, 1e-12);
+    const auto line = critical_line(tests);
+    ASSERT_TRUE(line);
+    EXPECT_NEAR(line->e_0, 0.27, 1e-12);
+    EXPECT_NEAR(line->slope, 0.005, 1e-12);
+}
+
+TEST(CriticalState, OnePressureGivesNoLine) {
+    std::vector<CriticalTest> tests;
+    for (const double e : {0.26, 0.27, 0.28}) {
+        tests.push_back(shear("dense", 1, 0.7e4, 0.36, e));
+        EXPECT_FALSE(critical_line(tests));
+    }
+    CriticalPlan plan;
+    plan.pressures = {0.7e4};
+    EXPECT_EQ(critical_table(tests, plan).find("critical state line"), std::string::npos);
 }
 
 TEST(RveCritical, PrintsTheLineAndLeavesTablesAndPicture) {
     const Shell shell("critical");
-    const auto told = shell.run("rve critical --seeds 1 --grains 100 --strain 0.1 --pressures 20 -o c");
+    const auto told = shell.run("rve critical --seeds 1 --grains 100 --strain 0.1 --pressures 20,80 -o c");
     ASSERT_EQ(told.exit_code, 0) << told.err;
     EXPECT_NE(told.out.find("critical state line: e ="), std::string::npos) << told.out;
     EXPECT_NE(shell.read("c/critical_state.csv").find("loose,1,20000,"), std::string::npos);
