@@ -29,7 +29,7 @@ class Shell {
     };
     Outcome run(const std::string& arguments) const {
         const std::string command =
-            "cd '" + folder_.string() + "' && " + SANDGRAPH_BINARY + " " + arguments + " >.out 2>.err";
+            "cd '" + folder_.string() + "' && '" + SANDGRAPH_BINARY + "' " + arguments + " >.out 2>.err";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(".out"), read(".err")};
     }
