@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "app/build_screening.hpp"
 #include "app/rve_options.hpp"
@@ -134,6 +135,7 @@ double unit_load(const scene::Scene& scene, const PreparedGround& ground) {
 }
 
 double equivalent_embedment(const scene::Scene& scene, const PreparedGround& ground) {
+    if (scene.ground.gravity == 0) return std::numeric_limits<double>::quiet_NaN();
     return unit_load(scene, ground) / (ground.density * scene.ground.gravity * scene.anchor.width);
 }
 

@@ -14,11 +14,21 @@ constexpr double slack = 1e-9;  // for lengths that round-off moved [m]
 class Checks {
   public:
     Checks(const Scene& scene, const KeyTable& keys)
-        : domain_(scene.domain), anchor_(scene.anchor), keys_(keys), file_(scene.file) {}
+        : domain_(scene.domain),
+          anchor_(scene.anchor),
+          ground_(scene.ground),
+          keys_(keys),
+          file_(scene.file) {}
 
     void grid() const {
         whole_cells("domain.width", domain_.width);
         whole_cells("domain.depth", domain_.depth);
+    }
+    // Loads are told in units of the stress that the plate lies under.
+    void stressed() const {
+        if (ground_.gravity == 0 && ground_.surcharge == 0)
+            refuse("ground.gravity", "nothing presses on the ground that is to hold the plate",
+                   "write \"9.81 m/s2\", or give the ground a surcharge");
     }
     void plate() const {
         anchor_.orientation == Orientation::horizontal ? horizontal_plate() : vertical_plate();
@@ -109,6 +119,7 @@ class Checks {
 
     const Domain& domain_;
     const Anchor& anchor_;
+    const Ground& ground_;
     const KeyTable& keys_;
     const std::string& file_;
 };
@@ -123,6 +134,7 @@ void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
     if (!scene.anchor.present) return;
+    checks.stressed();
     checks.plate();
     checks.plate_between_points();
 }

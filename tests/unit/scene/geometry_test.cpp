@@ -67,6 +67,13 @@ TEST(Geometry, HorizontalPlateLiesOnTheSymmetryPlane) {
     expect_refused("[anchor]\nposition = \"1 m\"", "2", "symmetry plane");
 }
 
+TEST(Geometry, PlateNeedsGroundUnderStress) {
+    const std::string weightless = "[ground]\ngravity = \"0 m/s2\"\n";
+    expect_refused(weightless, "2", "nothing presses");
+    EXPECT_EQ(refused(weightless + "surcharge = \"10 kPa\""), "accepted");
+    EXPECT_EQ(refused(weightless + "[anchor]\npresent = false"), "accepted");
+}
+
 TEST(Geometry, IsNotAskedForWithoutAnAnchor) {
     EXPECT_EQ(refused("[domain]\nwidth = \"0.5 m\"\ndepth = \"1 m\"\n[anchor]\npresent = false"), "accepted");
 }
