@@ -21,6 +21,7 @@ std::string resume_command(const RunRequest& a, const std::filesystem::path& fol
     if (!a.mode.empty()) out += " --mode " + a.mode;
     for (const std::string& assignment : a.set) out += " --set " + quoted(assignment);
     if (a.threads > 0) out += fmt::format(" --threads {}", a.threads);
+    if (a.until > 0) out += fmt::format(" --until {}", a.until);
     return out + " --resume";
 }
 
