@@ -11,12 +11,18 @@ namespace {
 // gnuplot leaves out what is no number.
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "NaN"; }
 
+// In data files only double quotes hold a text together.
+std::string quoted(std::string text) {
+    std::ranges::replace(text, '"', '\'');
+    return '"' + text + '"';
+}
+
 std::string rows(const ParetoPicture& picture) {
     std::string out;
     for (const ParetoMark& m : picture.marks)
         out += fmt::format("{} {} {} {} {} {} {}\n", number(m.speedup), number(100 * m.peak_error),
                            number(100 * m.curve_error), number(100 * m.audit_mean),
-                           number(100 * m.audit_ci95), number(100 * m.true_error), literal(m.label));
+                           number(100 * m.audit_ci95), number(100 * m.true_error), quoted(m.label));
     return out;
 }
 
