@@ -4,7 +4,7 @@
 # again at any time, and a case that has only its peak can be taken further.
 #   tests/paper/campaign.sh [--screening] [--until D] [--out DIR] [--binary FILE] [--threads N] [CASE PATTERN...]
 # Full fidelity goes to DIR/full/CASE, --screening (surrogate everywhere, all to d/B = 0.4) to DIR/screening/CASE.
-# Then: tests/paper/verdicts.py --runs DIR; sandgraph report DIR/full -o REPORT.
+# Then: tests/paper/collect.py DIR; tests/paper/verdicts.py; sandgraph report DIR/full -o REPORT.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 configs=$here/../../configs/paper
