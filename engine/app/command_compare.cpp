@@ -14,6 +14,14 @@ struct Arguments {
     bool json = false;
 };
 
+// A line when their times are not those of one program on as many threads; else nothing.
+std::string unlike(const io::Summary& a, const io::Summary& b) {
+    if (a.threads == b.threads && a.git == b.git) return "";
+    return fmt::format(
+        "notice: the ratios of time are not like for like: {} threads of {} against {} of {}\n", a.threads,
+        a.git, b.threads, b.git);
+}
+
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& exit_code) {
@@ -23,7 +31,9 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     command->add_option("other", a->other, "run folder")->required();
     command->add_flag("--json", a->json, "as JSON");
     command->callback([a, &exit_code] {
-        const Comparison c = compare_runs(read_finished_run(a->reference), read_finished_run(a->other));
+        const FinishedRun reference = read_finished_run(a->reference), other = read_finished_run(a->other);
+        const Comparison c = compare_runs(reference, other);
+        fmt::print(stderr, "{}", unlike(reference.summary, other.summary));
         fmt::print("{}", a->json ? to_json(c) : to_text(c));
         exit_code = exit_done;
     });

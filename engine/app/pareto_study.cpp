@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/command_line.hpp"
+#include "app/revision.hpp"
 #include "base/hash.hpp"
 #include "io/checkpoint.hpp"
 #include "io/run_file.hpp"
@@ -36,8 +37,11 @@ std::vector<Plan> plans(const ParetoRequest& request) {
     return out;
 }
 
-bool is_of(const fs::path& folder, const std::string& hash) {
-    return fs::exists(folder / "run.h5") && io::read_run(folder / "run.h5").info.scene_hash == hash;
+// Of this scene, by this program, on as many threads: times of others tell nothing of the scene.
+bool is_of(const fs::path& folder, const std::string& hash, int threads) {
+    if (!fs::exists(folder / "run.h5")) return false;
+    const io::RunInfo info = io::read_run(folder / "run.h5").info;
+    return info.scene_hash == hash && info.git == revision() && info.threads == threads;
 }
 
 RunRequest run_request(const ParetoRequest& request, const Plan& plan) {
@@ -53,7 +57,7 @@ std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan
     if (!suffix.empty()) run.set.emplace_back("audit.share=1");
     const fs::path folder = fs::path(request.run.folder) / (plan.label + suffix);
     run.folder = folder.string();
-    const bool same = is_of(folder, hex(scene::scene_hash(scene_of(run))));
+    const bool same = is_of(folder, hex(scene::scene_hash(scene_of(run))), threads_of(run));
     if (same && fs::exists(folder / "summary.json")) return read_finished_run(folder);
     run.resume = same && fs::exists(folder / io::checkpoint_name);
     if (!run.resume) io::remove_restart_files(folder);

@@ -23,8 +23,9 @@ struct ParetoRow {
     double true_error = 0;
 };
 
-// Runs the scene at full fidelity and at each threshold, each in a folder of its own; a run that is finished
-// is not repeated, one that was stopped goes on. Empty when a run was stopped again.
+// Runs the scene at full fidelity and at each threshold, each in a folder of its own; a run that this
+// program finished on as many threads is not repeated, one that was stopped goes on. Empty when a run was
+// stopped again.
 std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request);
 
 std::string to_csv(const std::vector<ParetoRow>& rows);

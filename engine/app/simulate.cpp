@@ -31,7 +31,7 @@ RunOptions options_of(const RunRequest& a, const scene::Scene& scene) {
     o.folder = !a.folder.empty()              ? fs::path(a.folder)
                : !scene.output.folder.empty() ? fs::path(scene.output.folder)
                                               : fs::path("out") / fs::path(a.scene).stem();
-    o.threads = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
+    o.threads = threads_of(a);
     o.until = a.until > 0 ? std::min(a.until, scene.anchor.pull_to) : scene.anchor.pull_to;
     o.resume = a.resume;
     o.resume ? require_checkpoint(o.folder, scene) : require_no_checkpoint(o.folder);
@@ -78,6 +78,10 @@ void finish(const RunSession& session, const RunOptions& o, const scene::Scene& 
 }
 
 }  // namespace
+
+int threads_of(const RunRequest& a) {
+    return a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
+}
 
 scene::Scene scene_of(const RunRequest& a) {
     std::vector<std::string> overrides = a.set;

@@ -15,6 +15,8 @@ struct RunRequest {
     double until = 0;  // d/B at which to stop; 0: the scene's end
 };
 
+int threads_of(const RunRequest& request);
+
 // The checked scene of a request, with the surrogate's file found.
 scene::Scene scene_of(const RunRequest& request);
 

@@ -57,9 +57,15 @@ TEST_F(SpeedAndError, ParetoRunsFullFidelityTheThresholdsAndTheSurrogateAlone) {
     for (const char* other : {"full", "0"}) {
         const auto same = shell_.run(std::string("compare study/full study/") + other + " --json");
         ASSERT_EQ(same.exit_code, 0) << same.err;
+        EXPECT_EQ(same.err, "");
         for (const char* error : {"peak_error", "curve_error", "displacement_error", "stress_error"})
             EXPECT_LT(number(same.out, error), 1e-12) << other << ' ' << error;
     }
+    const std::string summary = shell_.read("study/0/summary.json"), key = "\"threads\": ";
+    shell_.write("study/0/summary.json", std::string(summary).insert(summary.find(key) + key.size(), 1, '9'));
+    const auto unlike = shell_.run("compare study/full study/0");
+    EXPECT_NE(unlike.err.find("not like for like"), std::string::npos) << unlike.err;
+
     const auto far = shell_.run("compare study/full study/surrogate --json");
     EXPECT_GT(number(far.out, "stress_error"), 0);
     EXPECT_EQ(number(far.out, "dem_fraction_final"), 0);
