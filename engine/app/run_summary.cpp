@@ -122,7 +122,7 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene, const 
         const bool up = scene.anchor.orientation == scene::Orientation::horizontal;
         out += fmt::format("{}  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n", breakout_words(s), s.n_gamma,
                            s.peak_d_over_B, s.peak_load / 1000);
-        if (ground.friction_angle > 0)
+        if (ground.friction_angle > 0 && std::isfinite(s.n_gamma_meyerhof_adams))
             out +=
                 fmt::format("formula   N_gamma {:.2f}  ({}, phi = {:.1f} deg {})\n",
                             up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez,
