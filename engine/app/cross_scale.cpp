@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "app/failure_table.hpp"
 #include "io/packing_file.hpp"
@@ -33,7 +34,7 @@ std::vector<KeptPacking> kept_packings(const fs::path& folder) {
         found.push_back(
             {entry.path(), stem.substr(0, mark), std::strtod(stem.c_str() + mark + 1, nullptr) / 1e3});
     }
-    std::ranges::sort(found, {}, &KeptPacking::file);
+    std::ranges::sort(found, {}, [](const KeptPacking& k) { return std::tie(k.region, k.d_over_B); });
     return found;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/point_sight.hpp"
 #include "base/error.hpp"
@@ -82,6 +83,12 @@ void add_packings(const graph::Pull& pull, const std::vector<std::size_t>& point
     row.anisotropy = anisotropy.spread(), row.coordination = coordination.spread();
 }
 
+// 0020 for 0.02, 0000.4 for 0.0004.
+std::string thousandths(double mark) {
+    const double value = std::round(1e4 * mark) / 10;
+    return value == std::round(value) ? fmt::format("{:04.0f}", value) : fmt::format("{:06.1f}", value);
+}
+
 // None where a surrogate or a formula answers.
 const dem::Rve* packing_at(const stress::Law& law, std::size_t point) {
     if (const auto* grains = dynamic_cast<const graph::RveLaw*>(&law)) return &grains->rve(point);
@@ -159,7 +166,7 @@ void RegionRecorder::keep(const graph::Pull& pull, std::size_t region, double ma
     record->packing = dem::lab_packing(*packing), record->material = material_;
     record->recipe = fmt::format("# point {} of region {} at d/B = {:.6g}\n", point, regions_[region].name,
                                  pull.d_over_B());
-    const auto path = folder / "packings" / fmt::format("{}_{:04.0f}.h5", regions_[region].name, 1e3 * mark);
+    const auto path = folder / "packings" / fmt::format("{}_{}.h5", regions_[region].name, thousandths(mark));
     writer.post([record, path] {
         std::filesystem::create_directory(path.parent_path());  // not the run folder: that may be gone
         io::write_packing(path, *record);

@@ -40,7 +40,7 @@ checkpoint_every = "0.2 s"
 name = "above"
 x = [0, 0.5]
 y = [0, 1]
-packings = [0, 0.011, 0.025]
+packings = [0, 0.0004, 0.011, 0.025]
 )";
 
 inline std::string text_of(const fs::path& file) {
@@ -101,7 +101,7 @@ class InterruptedRun : public testing::Test {
 
     void expect_same(const std::string& a, const std::string& b) const {
         expect_same_ground(a, b);
-        for (const char* packing : {"above_0000.h5", "above_0011.h5", "above_0025.h5"}) {
+        for (const char* packing : {"above_0000.h5", "above_0000.4.h5", "above_0011.h5", "above_0025.h5"}) {
             const auto p = io::read_packing(out(a) / "packings" / packing).packing,
                        q = io::read_packing(out(b) / "packings" / packing).packing;
             EXPECT_EQ(p.x, q.x);
