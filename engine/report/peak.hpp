@@ -18,7 +18,7 @@ struct VesicCriterion {
     double confirm_over = 0.02;     // after a zero slope the load must not rise again over this d/B ...
     double confirm_rise = 0.01;     // ... by more than this share
     double steady_share = 0.25;     // last share of the curve in which the slope must be steady
-    double steady_least = 0.05;     // d/B that this share must span: a short curve is straight anywhere
+    double steady_least = 0.09;     // d/B that this share must span: shorter stretches are straight anywhere
     double steady_change = 0.05;    // change of that slope from its first to its second half, as a share
     double slope_tolerance = 0.02;  // of the initial slope: what counts as having reached the steady one
 };
