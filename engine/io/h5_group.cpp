@@ -57,12 +57,6 @@ void Group::remove(std::string_view name) {
     check(H5Ldelete(id_.get(), std::string(name).c_str(), H5P_DEFAULT), file_, "remove " + path_of(name));
 }
 
-void Group::copy_from(const Group& source, std::string_view name) {
-    const std::string label(name);
-    check(H5Ocopy(source.id(), label.c_str(), id_.get(), label.c_str(), H5P_DEFAULT, H5P_DEFAULT), file_,
-          "copy " + source.path_of(name));
-}
-
 std::vector<std::string> Group::names() const {
     std::vector<std::string> result;
     // Sorted here: HDF5 1.10 crashes when it sorts a large group whose heap is damaged (found by fuzzing).

@@ -21,8 +21,6 @@ class Group {
     Group open(std::string_view name) const;  // InputError when missing
     bool has(std::string_view name) const;
     void remove(std::string_view name);
-    // Copies a member of another group (datasets with their filters, as raw chunks) under the same name.
-    void copy_from(const Group& source, std::string_view name);
     std::vector<std::string> names() const;  // in alphabetical order
     Kind kind(std::string_view name) const;
 

@@ -78,6 +78,22 @@ void full_disk(Effort effort, Findings& found) {
                found);
 }
 
+// Each fill level lets another write fail: of a packing, the log, the checkpoint, run.h5.
+void full_disks(Effort effort, Findings& found) {
+    const int sizes = effort == Effort::quick ? 8 : 100;
+    const RunFolder folder(effort, RunMode::full);
+    fs::create_directories(folder / "disk");
+    found.driven = fmt::format("the same on disks of {} sizes from 0.4 to 1.8 MB", sizes);
+    int told = 0;
+    for (int k = 0; k < sizes; ++k) {
+        const SmallDisk disk((folder / "disk").string(),
+                             fmt::format("size={}k", 400 + 1400 * k / sizes).c_str());
+        if (!disk.mounted()) return found.note("disk mounted (0: this user may not)", 0);
+        told += folder.run("disk/full") == 1 && lines_of_error(folder.log("disk/full")) == 1;
+    }
+    found.exactly("ends with exit code 1 and one message", told, sizes);
+}
+
 void no_folder(Effort effort, Findings& found) {
     found.driven = "run folders that cannot be: under /proc, below a file, taken away in mid-run";
     const RunFolder folder(effort, RunMode::full);
@@ -145,7 +161,8 @@ void damaged(Effort effort, Findings& found) {
 }
 
 constexpr std::array table = {Case{"lost.size_limit", size_limit}, Case{"lost.full_disk", full_disk},
-                              Case{"lost.no_folder", no_folder}, Case{"lost.damaged", damaged}};
+                              Case{"lost.full_disks", full_disks}, Case{"lost.no_folder", no_folder},
+                              Case{"lost.damaged", damaged}};
 
 }  // namespace
 
