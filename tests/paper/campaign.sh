@@ -49,7 +49,7 @@ run_case() {
     mkdir -p "$folder"
     echo "$(date +%T) $kind/$name"
     "$binary" run "$configs/$scene.toml" -o "$folder" --threads "$threads" --until "$until" "${options[@]}" \
-        >>"$folder/log.txt" 2>&1 </dev/null || echo "$(date +%T) $kind/$name: exit code $?"
+        >>"$folder/log.txt" 2>&1 </dev/null || echo "$kind/$name: exit code $?"
 }
 
 while IFS=, read -r name scene until set; do
