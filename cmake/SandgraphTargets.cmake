@@ -27,7 +27,7 @@ endfunction()
 # sandgraph_library(dem LINK base ...): library sg_<name> from every .cpp of the current folder.
 function(sandgraph_library name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(NOT sources)  # a folder of headers only
     add_library(sg_${name} INTERFACE)

@@ -4,7 +4,7 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/compare_runs.hpp"
+#include "results/compare_runs.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -31,10 +31,11 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     command->add_option("other", a->other, "run folder")->required();
     command->add_flag("--json", a->json, "as JSON");
     command->callback([a, &exit_code] {
-        const FinishedRun reference = read_finished_run(a->reference), other = read_finished_run(a->other);
-        const Comparison c = compare_runs(reference, other);
+        const results::FinishedRun reference = results::read_finished_run(a->reference),
+                                   other = results::read_finished_run(a->other);
+        const results::Comparison c = results::compare_runs(reference, other);
         fmt::print(stderr, "{}", unlike(reference.summary, other.summary));
-        fmt::print("{}", a->json ? to_json(c) : to_text(c));
+        fmt::print("{}", a->json ? results::to_json(c) : results::to_text(c));
         exit_code = exit_done;
     });
 }

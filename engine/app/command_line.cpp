@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "app/revision.hpp"
 #include "app/usage_error.hpp"
 #include "base/error.hpp"
+#include "base/revision.hpp"
 
 namespace sandgraph::app {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/failure_table.hpp"
-#include "app/writable.hpp"
 #include "io/atomic_file.hpp"
+#include "io/writable.hpp"
+#include "results/failure_table.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -27,8 +27,8 @@ struct Arguments {
 };
 
 void run(const Arguments& a) {
-    require_writable_file(a.csv);
-    const std::string table = failure_csv(a.folders);
+    io::require_writable_file(a.csv);
+    const std::string table = results::failure_csv(a.folders);
     if (a.csv.empty())
         fmt::print("{}", table);
     else

@@ -4,33 +4,34 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/pareto_study.hpp"
 #include "io/atomic_file.hpp"
 #include "report/pareto_picture.hpp"
+#include "report/run_pictures.hpp"
+#include "results/pareto_study.hpp"
 
 namespace sandgraph::app {
 namespace {
 
-report::ParetoPicture picture_of(const std::vector<ParetoRow>& rows, const std::string& title) {
+report::ParetoPicture picture_of(const std::vector<results::ParetoRow>& rows, const std::string& title) {
     report::ParetoPicture picture{"Speed against error: " + title, {}};
-    for (const ParetoRow& r : rows)
+    for (const results::ParetoRow& r : rows)
         picture.marks.push_back({r.label, r.against.wall_ratio, r.against.peak_error, r.against.curve_error,
                                  r.against.audit_mean, r.against.audit_ci95, r.true_error});
     return picture;
 }
 
-int study(const ParetoRequest& request) {
-    const auto rows = pareto_study(request);
+int study(const results::ParetoRequest& request) {
+    const auto rows = results::pareto_study(request);
     if (!rows) {
         fmt::print(stderr, "stopped; the same command goes on\n");
         return exit_stopped_early;
     }
     const std::filesystem::path folder = request.run.folder;
-    const std::string csv = to_csv(*rows);
+    const std::string csv = results::to_csv(*rows);
     io::write_text(folder / "pareto.csv", csv);
     fmt::print("{}", csv);
     const report::Picture drawn = report::draw_pareto_picture(
-        picture_of(*rows, title_of(scene_of(request.run))), folder / "pareto.png");
+        picture_of(*rows, results::title_of(simulation::scene_of(request.run))), folder / "pareto.png");
     fmt::print("{}\n", drawn.drawn ? "results in " + folder.string() : "no picture: " + drawn.message);
     return exit_done;
 }
@@ -38,7 +39,7 @@ int study(const ParetoRequest& request) {
 }  // namespace
 
 void add_pareto_command(CLI::App& app, int& exit_code) {
-    auto a = std::make_shared<ParetoRequest>();
+    auto a = std::make_shared<results::ParetoRequest>();
     a->thresholds = {"0.003:0", "0.003:0.3", "0.003:0.1", "0.003:0.03", "0.01:0.1", "0.01:0.03"};
     CLI::App* command = app.add_subcommand(
         "pareto", "speed against error: one scene at several gate thresholds, and at full fidelity");
@@ -52,6 +53,9 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
         ->allow_extra_args(false);
     command->add_option("--threads", a->run.threads, "default: all cores")->check(CLI::Range(1, 1024));
     command->add_flag("--census", a->census, "each again with every point audited: the true stress error");
+    a->draw = [](const results::FinishedRun& run) {
+        return report::draw_pictures(run.folder / "pictures", run);
+    };
     command->callback([a, &exit_code] { exit_code = study(*a); });
 }
 

@@ -4,11 +4,11 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/run_report.hpp"
-#include "app/stage_progress.hpp"
-#include "app/writable.hpp"
+#include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/writable.hpp"
 #include "report/html.hpp"
+#include "report/run_report.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -35,24 +35,24 @@ std::string pareto_chapter(const std::vector<std::string>& folders) {
 }
 
 void run(const Arguments& a) {
-    const std::vector<FinishedRun> runs = find_runs(a.folders);
+    const std::vector<results::FinishedRun> runs = results::find_runs(a.folders);
     const fs::path out = a.out;
-    require_writable(out);
+    io::require_writable(out);
     fs::create_directories(out);
     std::string body =
         fmt::format("<h1>Plate anchors in sand</h1>\n<p class=\"lead\">{} run{}; made by sandgraph</p>\n",
                     runs.size(), runs.size() == 1 ? "" : "s");
-    ChapterOptions options;
+    report::ChapterOptions options;
     if (runs.size() > 1) options.frames_max = kFramesOfMany;
     if (!a.critical.empty()) options.critical = report::read_critical_lines(a.critical);
     StageProgress progress;
-    if (runs.size() > 1) body += comparison_chapter(runs, out / "pictures");
+    if (runs.size() > 1) body += report::comparison_chapter(runs, out / "pictures");
     body += pareto_chapter(a.folders);
     for (std::size_t k = 0; k < runs.size(); ++k) {
         progress.update("pictures", static_cast<double>(k) / static_cast<double>(runs.size()));
-        body += run_chapter(runs[k],
-                            out / "pictures" / fmt::format("{:02}_{}", k, runs[k].folder.filename().string()),
-                            options);
+        body += report::run_chapter(
+            runs[k], out / "pictures" / fmt::format("{:02}_{}", k, runs[k].folder.filename().string()),
+            options);
     }
     io::write_text(out / "index.html", report::page("sandgraph report", body));
     fmt::print("report in {}\n", (out / "index.html").string());

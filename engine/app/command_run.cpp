@@ -1,13 +1,25 @@
 #include <CLI/CLI.hpp>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/positive.hpp"
-#include "app/simulate.hpp"
+#include "report/run_pictures.hpp"
+#include "results/run_scene.hpp"
 
 namespace sandgraph::app {
+namespace {
+
+int run(const simulation::RunRequest& request) {
+    const auto draw = [](const results::FinishedRun& run) {
+        return report::draw_pictures(run.folder / "pictures", run);
+    };
+    return results::run_scene(request, draw) == simulation::RunEnd::finished ? exit_done : exit_stopped_early;
+}
+
+}  // namespace
 
 void add_run_command(CLI::App& app, int& exit_code) {
-    auto a = std::make_shared<RunRequest>();
+    auto a = std::make_shared<simulation::RunRequest>();
     CLI::App* command = app.add_subcommand("run", "simulates one scene");
     command->add_option("scene", a->scene, "TOML file; `sandgraph keys` lists its keys")->required();
     command->add_option("-o,--out", a->folder, "run folder (default: out/<name of the scene file>)");
@@ -17,7 +29,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
     command->add_option("--threads", a->threads, "default: all cores")->check(CLI::Range(1, 1024));
     command->add_option("--until", a->until, "stop at this d/B")->check(positive());
     command->add_flag("--resume", a->resume, "go on from the folder's last checkpoint");
-    command->callback([a, &exit_code] { exit_code = simulate(*a); });
+    command->callback([a, &exit_code] { exit_code = run(*a); });
 }
 
 }  // namespace sandgraph::app

@@ -4,10 +4,10 @@
 #include <ctime>
 
 #include "app/command_rve.hpp"
-#include "app/load_packing.hpp"
-#include "app/make_assembly.hpp"
-#include "app/prepare_packing.hpp"
-#include "dem/fast_kernel.hpp"
+#include "dem/fast/kernel.hpp"
+#include "packings/load_packing.hpp"
+#include "packings/make_assembly.hpp"
+#include "packings/prepare_packing.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -32,16 +32,16 @@ double seconds() {
 
 // Without a file: the dense packing of Table 1, made on the spot.
 io::PackingRecord packing_of(const Options& options) {
-    if (!options.packing.empty()) return load_packing(options.packing);
+    if (!options.packing.empty()) return packings::load_packing(options.packing);
     scene::Grains grains;
     grains.count = options.grains;
-    return {.packing = base_packing(grains), .material = grains.material, .recipe = {}};
+    return {.packing = packings::base_packing(grains), .material = grains.material, .recipe = {}};
 }
 
 // Time of a DEM step [us]; the contacts at its end.
 std::pair<double, int> measure(const Options& options, const io::PackingRecord& record, int steps) {
     const auto kernel = options.reference ? scene::Kernel::reference : scene::Kernel::fast;
-    const auto assembly = make_assembly(kernel, record.packing, record.material);
+    const auto assembly = packings::make_assembly(kernel, record.packing, record.material);
     const Mat2 L = simple_shear(0.4);
     assembly->step(L, time_step, std::max(1, steps / 10));  // caches and contacts warm
     const double start = seconds();

@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "app/command_rve.hpp"
-#include "app/critical_table.hpp"
-#include "app/stage_progress.hpp"
-#include "app/writable.hpp"
+#include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/writable.hpp"
+#include "laboratory/critical_table.hpp"
 #include "report/critical_picture.hpp"
 
 namespace sandgraph::app {
@@ -15,40 +15,41 @@ namespace {
 
 struct Options {
     std::string folder = "out/critical";
-    CriticalPlan plan;
+    laboratory::CriticalPlan plan;
     std::vector<double> kilopascals;  // of plan.pressures
     Options() {
         for (const double p : plan.pressures) kilopascals.push_back(p / 1e3);
     }
 };
 
-std::vector<CriticalTest> test_with_progress(const CriticalPlan& plan) {
+std::vector<laboratory::CriticalTest> test_with_progress(const laboratory::CriticalPlan& plan) {
     StageProgress progress;
-    return test_to_critical_state(
+    return laboratory::test_to_critical_state(
         plan, [&](std::string_view stage, double fraction) { progress.update(stage, fraction); });
 }
 
-report::CriticalPicture picture_of(const std::vector<CriticalTest>& tests) {
+report::CriticalPicture picture_of(const std::vector<laboratory::CriticalTest>& tests) {
     report::CriticalPicture picture;
-    for (const CriticalTest& test : tests)
-        picture.curves.push_back({test.density, test.pressure, critical_state(test).void_ratio(), test.rows});
-    if (const auto line = critical_line(tests)) picture.line = {line->e_0, line->slope};
+    for (const laboratory::CriticalTest& test : tests)
+        picture.curves.push_back(
+            {test.density, test.pressure, laboratory::critical_state(test).void_ratio(), test.rows});
+    if (const auto line = laboratory::critical_line(tests)) picture.line = {line->e_0, line->slope};
     return picture;
 }
 
 void run(Options options) {
     const std::filesystem::path folder = options.folder;
-    require_writable(folder);
+    io::require_writable(folder);
     std::filesystem::create_directories(folder);
     options.plan.pressures.clear();
     for (const double p : options.kilopascals) options.plan.pressures.push_back(1e3 * p);
-    const std::vector<CriticalTest> tests = test_with_progress(options.plan);
-    io::write_text(folder / "critical_state.csv", critical_csv(tests));
-    io::write_text(folder / "curves.csv", critical_curves_csv(tests));
+    const std::vector<laboratory::CriticalTest> tests = test_with_progress(options.plan);
+    io::write_text(folder / "critical_state.csv", laboratory::critical_csv(tests));
+    io::write_text(folder / "curves.csv", laboratory::critical_curves_csv(tests));
     const auto picture = report::draw_critical_picture(picture_of(tests), folder / "critical_state.png");
     if (!picture.drawn) fmt::print(stderr, "{}\n", picture.message);
     fmt::print("{}{}: critical_state.csv, curves.csv, critical_state.png\n",
-               critical_table(tests, options.plan), options.folder);
+               laboratory::critical_table(tests, options.plan), options.folder);
 }
 
 }  // namespace

@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_rve.hpp"
-#include "app/prepare_packing.hpp"
-#include "app/revision.hpp"
-#include "app/rve_options.hpp"
-#include "app/stage_progress.hpp"
-#include "app/writable.hpp"
-#include "dem/packing_csv.hpp"
+#include "base/console.hpp"
+#include "base/revision.hpp"
+#include "dem/packing/csv.hpp"
 #include "io/atomic_file.hpp"
 #include "io/packing_file.hpp"
+#include "io/writable.hpp"
+#include "packings/prepare_packing.hpp"
+#include "packings/rve_options.hpp"
 #include "scene/recipe_spec.hpp"
 
 namespace sandgraph::app {
@@ -26,12 +26,12 @@ dem::Packing make_packing(const scene::RecipeSpec& recipe) {
     const auto tell = [&progress](std::string_view stage, double fraction) {
         progress.update(stage, fraction);
     };
-    const dem::Packing base = base_packing(recipe.grains, tell);
+    const dem::Packing base = packings::base_packing(recipe.grains, tell);
     if (recipe.grains.packing.empty() && recipe.pressure == recipe.grains.consolidation_pressure) return base;
     const dem::Material& material = recipe.grains.material;
-    return dem::compress_to(base,
-                            {.pressure = recipe.pressure, .dt = preparation_time_step(material, base.r)},
-                            material, fast_assemblies(), tell);
+    return dem::compress_to(
+        base, {.pressure = recipe.pressure, .dt = packings::preparation_time_step(material, base.r)},
+        material, packings::fast_assemblies(), tell);
 }
 
 void write_csv(const std::string& file, const dem::Packing& packing, const scene::RecipeSpec& recipe) {
@@ -44,7 +44,7 @@ void write_csv(const std::string& file, const dem::Packing& packing, const scene
 
 void run(const Options& options) {
     const scene::RecipeSpec recipe = scene::read_recipe(options.recipe);
-    require_writable_file(options.out), require_writable_file(options.csv);
+    io::require_writable_file(options.out), io::require_writable_file(options.csv);
     const dem::Packing packing = make_packing(recipe);
     if (!options.csv.empty()) write_csv(options.csv, packing, recipe);
     io::write_packing(options.out, {packing, recipe.grains.material, recipe.text});

@@ -5,12 +5,11 @@
 #include <thread>
 
 #include "app/command_rve.hpp"
-#include "app/live_line.hpp"
-#include "app/probe.hpp"
-#include "app/stage_progress.hpp"
-#include "app/writable.hpp"
+#include "base/console.hpp"
 #include "io/history_file.hpp"
 #include "io/history_overview.hpp"
+#include "io/writable.hpp"
+#include "laboratory/probe.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -24,13 +23,13 @@ void probe(const scene::ProbeSpec& spec, const Options& options) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
     StageProgress progress;
-    write_probe(spec, options.out,
-                [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    laboratory::write_probe(spec, options.out,
+                            [&progress](std::string_view stage, double f) { progress.update(stage, f); });
 }
 
 void run(const Options& options) {
     const scene::ProbeSpec spec = scene::read_probe(options.recipe);
-    require_writable_file(options.out);
+    io::require_writable_file(options.out);
     const double start = wall_clock();
     probe(spec, options);
     fmt::print("{}: {:.0f} s\n{}", options.out, wall_clock() - start,

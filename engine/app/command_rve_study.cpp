@@ -9,10 +9,11 @@
 #include <mutex>
 
 #include "app/command_rve.hpp"
-#include "app/stage_progress.hpp"
-#include "app/study_table.hpp"
-#include "app/writable.hpp"
+#include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/writable.hpp"
+#include "laboratory/study_table.hpp"
+#include "report/study_picture.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -26,35 +27,37 @@ struct Options {
 
 // The packings of every seed: at the usual pressure, and at the low one.
 struct Samples {
-    std::vector<StudySample> usual, low;
+    std::vector<laboratory::StudySample> usual, low;
 };
 
 Samples make_samples(int seeds) {
     StageProgress progress;
     progress.update("packings", 0);
-    Samples samples{std::vector<StudySample>(seeds), std::vector<StudySample>(seeds)};
+    Samples samples{std::vector<laboratory::StudySample>(seeds), std::vector<laboratory::StudySample>(seeds)};
     tbb::parallel_for(0, seeds, [&](int k) {
         scene::Grains grains;
         grains.seed = static_cast<std::uint64_t>(k) + 1;
-        samples.usual[k] = study_sample(grains, study_pressure);
-        samples.low[k] = study_sample(grains, study_pressure_low);
+        samples.usual[k] = laboratory::study_sample(grains, laboratory::study_pressure);
+        samples.low[k] = laboratory::study_sample(grains, laboratory::study_pressure_low);
     });
     return samples;
 }
 
 // runs[setting][seed]; a run is one task of its own, so that its wall time holds nobody else's work.
-std::vector<std::vector<StudyRun>> run_all(const StrainHistory& history,
-                                           const std::vector<StudySample>& samples,
-                                           const std::vector<StudySetting>& settings) {
-    std::vector<std::vector<StudyRun>> runs(settings.size(), std::vector<StudyRun>(samples.size()));
+std::vector<std::vector<laboratory::StudyRun>> run_all(
+    const laboratory::StrainHistory& history, const std::vector<laboratory::StudySample>& samples,
+    const std::vector<laboratory::StudySetting>& settings) {
+    std::vector<std::vector<laboratory::StudyRun>> runs(settings.size(),
+                                                        std::vector<laboratory::StudyRun>(samples.size()));
     StageProgress progress;
     std::atomic<std::size_t> done{0};
     std::mutex telling;
     const std::size_t count = settings.size() * samples.size();
     const auto one = [&](std::size_t job) {
         const std::size_t setting = job / samples.size(), seed = job % samples.size();
-        tbb::this_task_arena::isolate(
-            [&] { runs[setting][seed] = run_history(samples[seed], history, settings[setting].stepping); });
+        tbb::this_task_arena::isolate([&] {
+            runs[setting][seed] = laboratory::run_history(samples[seed], history, settings[setting].stepping);
+        });
         const std::lock_guard lock(telling);
         progress.update(history.name, static_cast<double>(++done) / static_cast<double>(count));
     };
@@ -71,22 +74,22 @@ bool chosen(const Options& options, const std::string& history) {
 
 void run(const Options& options) {
     const std::filesystem::path folder = options.out;
-    require_writable(folder);
+    io::require_writable(folder);
     std::filesystem::create_directories(folder);
     const int seeds = options.quick ? 1 : options.seeds;
     const Samples samples = make_samples(seeds);
-    const std::vector<StudySetting> settings = study_settings(options.quick);
-    std::vector<StudyRow> rows;
-    for (const StrainHistory& history : strain_histories(options.quick)) {
+    const std::vector<laboratory::StudySetting> settings = laboratory::study_settings(options.quick);
+    std::vector<laboratory::StudyRow> rows;
+    for (const laboratory::StrainHistory& history : laboratory::strain_histories(options.quick)) {
         if (!chosen(options, history.name)) continue;
-        const auto& packings = history.pressure == study_pressure ? samples.usual : samples.low;
-        const auto more = study_rows(history, settings, run_all(history, packings, settings));
+        const auto& packings = history.pressure == laboratory::study_pressure ? samples.usual : samples.low;
+        const auto more = laboratory::study_rows(history, settings, run_all(history, packings, settings));
         rows.insert(rows.end(), more.begin(), more.end());
-        fmt::print("{}", study_text(more));
+        fmt::print("{}", laboratory::study_text(more));
         std::fflush(stdout);
     }
-    io::write_text(folder / "study.csv", study_csv(rows));
-    const auto picture = report::draw_study_picture(study_picture(rows, seeds), folder / "study.png");
+    io::write_text(folder / "study.csv", laboratory::study_csv(rows));
+    const auto picture = report::draw_study_picture(report::study_picture(rows, seeds), folder / "study.png");
     fmt::print("\n{}\n", picture.drawn ? (folder / "study.csv").string() + ", study.png" : picture.message);
 }
 

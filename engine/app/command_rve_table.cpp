@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "app/command_rve.hpp"
-#include "app/soil_laboratory.hpp"
-#include "app/stage_progress.hpp"
-#include "app/strength_table.hpp"
-#include "app/writable.hpp"
+#include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/writable.hpp"
+#include "laboratory/soil_laboratory.hpp"
+#include "laboratory/strength_table.hpp"
 #include "report/biaxial_picture.hpp"
 
 namespace sandgraph::app {
@@ -16,57 +16,58 @@ namespace {
 
 struct Options {
     std::string folder = "out/table1";
-    LaboratoryPlan plan;
+    laboratory::LaboratoryPlan plan;
     bool quick = false;
 };
 
 // A first look: two seeds, and four times the rate, which moves a peak by up to 2 deg, as another seed does.
-LaboratoryPlan shortened(LaboratoryPlan plan) {
+laboratory::LaboratoryPlan shortened(laboratory::LaboratoryPlan plan) {
     plan.seeds = std::min(plan.seeds, 2);
     plan.axial_rate = 0.4;
     return plan;
 }
 
-std::vector<StrengthRow> strength_rows(const std::vector<Specimen>& specimens) {
-    std::vector<StrengthRow> rows;
-    for (const Specimen& specimen : specimens) rows.push_back(strength_row(specimen));
+std::vector<laboratory::StrengthRow> strength_rows(const std::vector<laboratory::Specimen>& specimens) {
+    std::vector<laboratory::StrengthRow> rows;
+    for (const laboratory::Specimen& specimen : specimens) rows.push_back(laboratory::strength_row(specimen));
     return rows;
 }
 
-report::BiaxialPicture picture_of(const std::string& density, const std::vector<Specimen>& specimens) {
+report::BiaxialPicture picture_of(const std::string& density,
+                                  const std::vector<laboratory::Specimen>& specimens) {
     report::BiaxialPicture picture{fmt::format("Biaxial compression, {} sand of Table 1", density), {}};
-    for (std::size_t k = 0; k < kConfiningPressures.size(); ++k) {
-        report::BiaxialSeries series{kConfiningPressures[k], {}};
-        for (const Specimen& specimen : specimens)
+    for (std::size_t k = 0; k < laboratory::kConfiningPressures.size(); ++k) {
+        report::BiaxialSeries series{laboratory::kConfiningPressures[k], {}};
+        for (const laboratory::Specimen& specimen : specimens)
             if (specimen.density == density) series.tests.push_back(specimen.tests[k]);
         picture.series.push_back(std::move(series));
     }
     return picture;
 }
 
-void draw_pictures(const std::filesystem::path& folder, const std::vector<Specimen>& specimens) {
-    for (const std::string density : kDensities) {
+void draw_pictures(const std::filesystem::path& folder, const std::vector<laboratory::Specimen>& specimens) {
+    for (const std::string density : laboratory::kDensities) {
         const auto picture = report::draw_biaxial_picture(picture_of(density, specimens),
                                                           folder / fmt::format("biaxial_{}.png", density));
         if (!picture.drawn) fmt::print(stderr, "{}\n", picture.message);
     }
 }
 
-std::vector<Specimen> test_with_progress(const LaboratoryPlan& plan) {
+std::vector<laboratory::Specimen> test_with_progress(const laboratory::LaboratoryPlan& plan) {
     StageProgress progress;
-    return test_specimens(plan,
-                          [&](std::string_view stage, double fraction) { progress.update(stage, fraction); });
+    return laboratory::test_specimens(
+        plan, [&](std::string_view stage, double fraction) { progress.update(stage, fraction); });
 }
 
 void run(const Options& options) {
     const std::filesystem::path folder = options.folder;
-    require_writable(folder);
+    io::require_writable(folder);
     std::filesystem::create_directories(folder);
     const auto specimens = test_with_progress(options.quick ? shortened(options.plan) : options.plan);
-    const std::vector<StrengthRow> rows = strength_rows(specimens);
-    io::write_text(folder / "table1.csv", strength_csv(rows));
+    const std::vector<laboratory::StrengthRow> rows = strength_rows(specimens);
+    io::write_text(folder / "table1.csv", laboratory::strength_csv(rows));
     draw_pictures(folder, specimens);
-    fmt::print("{}{}: table1.csv, biaxial_dense.png, biaxial_loose.png\n", strength_table(rows),
+    fmt::print("{}{}: table1.csv, biaxial_dense.png, biaxial_loose.png\n", laboratory::strength_table(rows),
                options.folder);
 }
 

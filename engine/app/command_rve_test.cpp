@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "app/command_rve.hpp"
-#include "app/element_test.hpp"
-#include "app/load_packing.hpp"
-#include "app/revision.hpp"
-#include "app/writable.hpp"
+#include "base/revision.hpp"
 #include "io/atomic_file.hpp"
+#include "io/writable.hpp"
+#include "laboratory/element_test.hpp"
+#include "packings/load_packing.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -24,10 +24,11 @@ std::string metadata(const Options& options) {
 }
 
 void run(const Options& options) {
-    require_writable_file(options.out);
-    const io::PackingRecord record = load_packing(options.packing);
+    io::require_writable_file(options.out);
+    const io::PackingRecord record = packings::load_packing(options.packing);
     const scene::ElementTestSpec spec = scene::read_element_test(options.test, record.material);
-    const ElementOutcome outcome = run_element_test(spec, record.packing, metadata(options));
+    const laboratory::ElementOutcome outcome =
+        laboratory::run_element_test(spec, record.packing, metadata(options));
     if (options.out.empty()) {
         fmt::print("{}", outcome.csv);
         return;

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
-#include "app/probe.hpp"
-#include "app/stage_progress.hpp"
-#include "app/writable.hpp"
+#include "base/console.hpp"
 #include "io/history_file.hpp"
+#include "io/writable.hpp"
+#include "laboratory/probe.hpp"
 #include "scene/train_spec.hpp"
 #include "surrogate/load_surrogate.hpp"
 
@@ -38,9 +38,10 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
     const fs::path log = fs::path(out).replace_extension(".probes.h5");
     const scene::ProbeSpec probe = scene::read_probe(spec.probe);
     if (fs::exists(log) && io::read_history_source(log).text == probe.text) return log.string();
-    require_writable_file(log);
+    io::require_writable_file(log);
     StageProgress progress;
-    write_probe(probe, log, [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    laboratory::write_probe(probe, log,
+                            [&progress](std::string_view stage, double f) { progress.update(stage, f); });
     return log.string();
 }
 
@@ -55,7 +56,7 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
 void run(const Options& options) {
     const scene::TrainSpec spec = scene::read_train(options.recipe);
     const fs::path program = trainer();
-    require_writable_file(options.out);
+    io::require_writable_file(options.out);
     if (!options.evaluate.empty()) surrogate::load_surrogate(options.evaluate);  // refused before the probes
     const std::string probes = probe_log(spec, options.out.empty() ? options.evaluate : options.out);
     std::vector<std::string> arguments{program.string(), options.recipe};

@@ -1,6 +1,6 @@
 #pragma once
-#include "dem/observables.hpp"
-#include "dem/packing.hpp"
+#include "dem/packing/observables.hpp"
+#include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem {
 

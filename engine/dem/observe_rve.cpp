@@ -1,5 +1,5 @@
-#include "dem/observe.hpp"
-#include "dem/reference_contact.hpp"
+#include "dem/packing/observe.hpp"
+#include "dem/reference/contact.hpp"
 #include "dem/stretch.hpp"
 
 namespace sandgraph::dem {

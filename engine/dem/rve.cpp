@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/crushed.hpp"
+#include "dem/packing/crushed.hpp"
 #include "dem/stretch.hpp"
 
 namespace sandgraph::dem {

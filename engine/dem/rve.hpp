@@ -3,9 +3,9 @@
 
 #include "base/byte_stream.hpp"
 #include "base/tensor.hpp"
-#include "dem/compact_packing.hpp"
-#include "dem/fast_kernel.hpp"
-#include "dem/neighbour_list.hpp"
+#include "dem/fast/kernel.hpp"
+#include "dem/fast/neighbour_list.hpp"
+#include "dem/packing/compact_packing.hpp"
 #include "dem/rve_options.hpp"
 
 namespace sandgraph::dem {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/observe.hpp"
+#include "dem/packing/observe.hpp"
 #include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "dem/observe.hpp"
+#include "dem/packing/observe.hpp"
 #include "dem/rve.hpp"
 #include "graph/visits.hpp"
 #include "stress/law.hpp"

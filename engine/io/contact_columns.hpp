@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "dem/packing.hpp"
+#include "dem/packing/packing.hpp"
 #include "io/h5_group.hpp"
 
 namespace sandgraph::io {

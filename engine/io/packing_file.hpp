@@ -3,7 +3,7 @@
 #include <string>
 
 #include "dem/material.hpp"
-#include "dem/packing.hpp"
+#include "dem/packing/packing.hpp"
 
 namespace sandgraph::io {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "dem/packing_check.hpp"
+#include "dem/packing/check.hpp"
 
 namespace sandgraph::io {
 namespace {

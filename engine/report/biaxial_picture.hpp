@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/element_test.hpp"
+#include "dem/element_test/element_test.hpp"
 #include "report/gnuplot.hpp"
 
 namespace sandgraph::report {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "report/analytic.hpp"
 #include "report/series_colour.hpp"
+#include "results/analytic.hpp"
 
 namespace sandgraph::report {
 namespace {
@@ -21,7 +21,8 @@ double deepest(const std::vector<BreakoutSeries>& series) {
 }
 
 double formula(const BreakoutSeries& s, double ratio) {
-    return s.horizontal ? meyerhof_adams(ratio, s.friction_angle) : biarez(ratio, s.friction_angle);
+    return s.horizontal ? results::meyerhof_adams(ratio, s.friction_angle)
+                        : results::biarez(ratio, s.friction_angle);
 }
 
 std::string formula_rows(const BreakoutSeries& s, double deep) {

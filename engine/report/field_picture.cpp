@@ -14,7 +14,7 @@ struct Box {
     double left, right, bottom, top;
 };
 
-Box box_of(const io::Frame& frame, const GroundView& view) {
+Box box_of(const io::Frame& frame, const results::GroundView& view) {
     double top = view.surface;
     for (const double y : frame.y) top = std::max(top, y);
     const double margin = 0.02 * (view.window > 0 ? view.window : view.width);
@@ -28,12 +28,12 @@ Box box_of(const io::Frame& frame, const GroundView& view) {
     return {left - margin, view.width + margin, -margin, top + 2 * margin};
 }
 
-std::string title(const io::Frame& frame, const GroundView& view) {
+std::string title(const io::Frame& frame, const results::GroundView& view) {
     return literal(fmt::format("{}, d/B = {:.3g}{}", view.title, frame.d_over_B,
                                view.mirror ? " (left half: mirror image)" : ""));
 }
 
-std::string axes(const io::Frame& frame, const GroundView& view, const Box& box) {
+std::string axes(const io::Frame& frame, const results::GroundView& view, const Box& box) {
     return fmt::format(
         "set title {} noenhanced offset 0,0.4\nset size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
         "set xlabel 'x [m]'\nset ylabel 'y [m]'\nset xtics nomirror\nset ytics nomirror\nset tics out\n"
@@ -43,7 +43,7 @@ std::string axes(const io::Frame& frame, const GroundView& view, const Box& box)
 }
 
 // One colour a kind, named beside it.
-std::string kind_colours(const PointValues& shown) {
+std::string kind_colours(const results::PointValues& shown) {
     std::string steps, ticks;
     for (std::size_t k = 0; k < shown.kinds.size(); ++k) {
         const char *comma = k > 0 ? ", " : "", *colour = kind_colour(k);
@@ -54,7 +54,7 @@ std::string kind_colours(const PointValues& shown) {
                        static_cast<double>(shown.kinds.size()) - 0.5, ticks);
 }
 
-std::string scale_colours(const PointValues& shown, const ColourRange& range) {
+std::string scale_colours(const results::PointValues& shown, const ColourRange& range) {
     const char* beyond = range.clipped_low && range.clipped_high ? ", some points beyond"
                          : range.clipped_high                    ? ", some points above"
                          : range.clipped_low                     ? ", some points below"
@@ -64,12 +64,12 @@ std::string scale_colours(const PointValues& shown, const ColourRange& range) {
                        literal(fmt::format("{} [{}]{}", shown.name, shown.unit, beyond)));
 }
 
-std::string colours(const PointValues& shown, const ColourRange& range) {
+std::string colours(const results::PointValues& shown, const ColourRange& range) {
     return (shown.kinds.empty() ? scale_colours(shown, range) : kind_colours(shown)) +
            "set rmargin at screen 0.83\n";
 }
 
-std::string plate(const io::Frame& frame, const GroundView& view) {
+std::string plate(const io::Frame& frame, const results::GroundView& view) {
     if (!view.has_plate) return {};
     const double hx = view.plate_size_x / 2, hy = view.plate_size_y / 2;
     const double left = frame.plate_x - hx, right = frame.plate_x + hx;
@@ -78,7 +78,7 @@ std::string plate(const io::Frame& frame, const GroundView& view) {
                        right, frame.plate_y + hy);
 }
 
-std::string surface_line(const GroundView& view) {
+std::string surface_line(const results::GroundView& view) {
     return fmt::format("{} {}\n{} {}\n", view.mirror ? -view.width : 0.0, view.surface, view.width,
                        view.surface);
 }
@@ -103,23 +103,24 @@ void fit_size(Plot& plot, const Box& box) {
 
 }  // namespace
 
-Plot field_plot(const io::Frame& frame, Quantity quantity, const GroundView& view) {
-    const PointValues shown = point_values(frame, quantity);
+Plot field_plot(const io::Frame& frame, results::Quantity quantity, const results::GroundView& view) {
+    const results::PointValues shown = results::point_values(frame, quantity);
     const Box box = box_of(frame, view);
-    const ColourRange range = colour_range(shown.values, shown.is_signed, quantity != Quantity::porosity);
+    const ColourRange range =
+        colour_range(shown.values, shown.is_signed, quantity != results::Quantity::porosity);
     Plot plot;
     fit_size(plot, box);
     plot.data.emplace_back("squares.txt", square_rows(frame, shown, view));
     plot.data.emplace_back("surface.txt", surface_line(view));
-    if (quantity == Quantity::displacement)
+    if (quantity == results::Quantity::displacement)
         plot.data.emplace_back("arrows.txt", arrow_rows(frame, view, (box.right - box.left) / 36));
     const bool arrows = plot.data.back().first == "arrows.txt" && !plot.data.back().second.empty();
     plot.script = axes(frame, view, box) + colours(shown, range) + plate(frame, view) + plot_command(arrows);
     return plot;
 }
 
-Picture draw_field_picture(const io::Frame& frame, Quantity quantity, const GroundView& view,
-                           const std::filesystem::path& png) {
+Picture draw_field_picture(const io::Frame& frame, results::Quantity quantity,
+                           const results::GroundView& view, const std::filesystem::path& png) {
     try {
         return draw(field_plot(frame, quantity, view), png);
     } catch (const std::exception& error) {

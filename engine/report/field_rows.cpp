@@ -21,11 +21,12 @@ struct Square {
 
 double drawn_stretch(double F) { return std::clamp(std::abs(F), 1.0, widest_stretch); }
 
-Square square(const io::Frame& frame, const PointValues& shown, const GroundView& view, std::size_t p) {
+Square square(const io::Frame& frame, const results::PointValues& shown, const results::GroundView& view,
+              std::size_t p) {
     const double half = overlap * view.point_size / 2;
     Square s{frame.x[p], frame.y[p], half, half, shown.values[p]};
-    if (!has_field(frame, "F")) return s;
-    const Mat2 F = deformation_gradient(field(frame, "F", 4), p);
+    if (!results::has_field(frame, "F")) return s;
+    const Mat2 F = results::deformation_gradient(results::field(frame, "F", 4), p);
     s.half_x *= drawn_stretch(F(0, 0));
     s.half_y *= drawn_stretch(F(1, 1));
     return s;
@@ -52,7 +53,8 @@ double longest(const io::Field& u) {
 
 }  // namespace
 
-std::string square_rows(const io::Frame& frame, const PointValues& shown, const GroundView& view) {
+std::string square_rows(const io::Frame& frame, const results::PointValues& shown,
+                        const results::GroundView& view) {
     std::string text;
     for (std::size_t p = 0; p < frame.x.size(); ++p) {
         Square s = square(frame, shown, view, p);
@@ -66,8 +68,8 @@ std::string square_rows(const io::Frame& frame, const PointValues& shown, const 
     return text;
 }
 
-std::string arrow_rows(const io::Frame& frame, const GroundView& view, double spacing) {
-    const io::Field& u = field(frame, "displacement", 2);
+std::string arrow_rows(const io::Frame& frame, const results::GroundView& view, double spacing) {
+    const io::Field& u = results::field(frame, "displacement", 2);
     const double most = longest(u);
     std::set<std::pair<long, long>> taken;  // bins that have their arrow
     std::string text;

@@ -7,10 +7,11 @@ namespace sandgraph::report {
 
 // One line a square: x y half_x half_y value; with the mirror image if the view asks for it (a rotation
 // changes its sign there).
-std::string square_rows(const io::Frame& frame, const PointValues& shown, const GroundView& view);
+std::string square_rows(const io::Frame& frame, const results::PointValues& shown,
+                        const results::GroundView& view);
 
 // One line an arrow: x y dx dy, about one for each `spacing` squared; the longest is `spacing` long. Empty
 // when nothing moved.
-std::string arrow_rows(const io::Frame& frame, const GroundView& view, double spacing);
+std::string arrow_rows(const io::Frame& frame, const results::GroundView& view, double spacing);
 
 }  // namespace sandgraph::report

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "report/process.hpp"
+#include "base/process.hpp"
 
 namespace sandgraph::report {
 namespace fs = std::filesystem;

@@ -95,7 +95,7 @@ std::string breakout_label(const LoadCurve& curve, std::size_t k, bool many, con
     const std::string dot =
         fmt::format("set label '' at {},{} point pt 7 ps 1.5 lc rgb '{}' front\n", at, n, series_colour(k));
     if (many) return dot;
-    const char* word = curve.breakout.kind == BreakoutKind::still_rising ? "still rising, " : "";
+    const char* word = curve.breakout.kind == results::BreakoutKind::still_rising ? "still rising, " : "";
     // Before the curve's end below the dot, where no reference line is.
     const bool late = at > 0.5 * last_displacement(picture.curves);
     return dot + fmt::format("set label {} at {},{} {} noenhanced textcolor '{}' front\n",

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/gnuplot.hpp"
-#include "report/peak.hpp"
+#include "results/peak.hpp"
 
 namespace sandgraph::report {
 
@@ -12,9 +12,9 @@ namespace sandgraph::report {
 struct LoadCurve {
     std::string label;
     std::vector<double> d_over_B;
-    std::vector<double> load;  // of the whole plate [N/m]
-    double unit_load = 1;      // B gamma H [N/m]: N_gamma = load/unit_load
-    Breakout breakout;         // marked unless d_over_B of it is 0
+    std::vector<double> load;    // of the whole plate [N/m]
+    double unit_load = 1;        // B gamma H [N/m]: N_gamma = load/unit_load
+    results::Breakout breakout;  // marked unless d_over_B of it is 0
 };
 
 // A closed-form breakout factor, drawn as a labelled horizontal line.

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "dem/observe.hpp"
+#include "dem/packing/observe.hpp"
 #include "report/gnuplot.hpp"
 
 namespace sandgraph::report {

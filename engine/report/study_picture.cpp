@@ -8,6 +8,49 @@
 namespace sandgraph::report {
 namespace {
 
+StudyMark mark(const laboratory::StudyRow& r) { return {r.dem_steps, r.error.rms}; }
+
+// One curve a varied key. The default lies on all of them.
+std::vector<StudyCurve> curves(const std::vector<laboratory::StudyRow>& panel) {
+    std::vector<StudyCurve> out;
+    for (std::size_t k = laboratory::study_default + 1; k < panel.size(); ++k) {
+        if (out.empty() || out.back().label != panel[k].setting.key)
+            out.push_back({panel[k].setting.key, {mark(panel[laboratory::study_default])}});
+        out.back().marks.push_back(mark(panel[k]));
+    }
+    for (StudyCurve& curve : out)
+        std::sort(curve.marks.begin(), curve.marks.end(),
+                  [](const auto& a, const auto& b) { return a.dem_steps < b.dem_steps; });
+    return out;
+}
+
+StudyPanel panel_of(const std::vector<laboratory::StudyRow>& panel) {
+    const laboratory::StudyRow& first = panel.front();
+    const bool means = first.history.window != 0;
+    return {first.history.name + (means ? " (window means)" : ""),
+            curves(panel),
+            mark(panel[laboratory::study_default]),
+            mark(panel[laboratory::study_peers]),
+            panel[laboratory::study_twin].error.rms,
+            first.error.scatter};
+}
+
+}  // namespace
+
+StudyPicture study_picture(const std::vector<laboratory::StudyRow>& rows, int seeds) {
+    StudyPicture picture{"Stress error of an RVE against its DEM steps, seeds: " + std::to_string(seeds), {}};
+    for (auto begin = rows.begin(); begin != rows.end();) {
+        const auto end = std::find_if(begin, rows.end(), [&](const laboratory::StudyRow& r) {
+            return r.history.name != begin->history.name;
+        });
+        picture.panels.push_back(panel_of({begin, end}));
+        begin = end;
+    }
+    return picture;
+}
+
+namespace {
+
 // Okabe & Ito (2008): distinguishable with colour-vision deficiency.
 constexpr std::array<const char*, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                              "#E69F00", "#56B4E9", "#8B4513"};

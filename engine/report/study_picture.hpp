@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "laboratory/study_table.hpp"
 #include "report/gnuplot.hpp"
 
 namespace sandgraph::report {
@@ -29,6 +30,9 @@ struct StudyPicture {
     std::string title;
     std::vector<StudyPanel> panels;
 };
+
+// One panel a history, one curve a key.
+StudyPicture study_picture(const std::vector<laboratory::StudyRow>& rows, int seeds);
 
 // Error against DEM steps on logarithmic axes, a panel each, three a row.
 Plot study_plot(const StudyPicture& picture);

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "app/finished_run.hpp"
 #include "graph/stress_audit.hpp"
 #include "io/run_record.hpp"
-#include "report/field_values.hpp"
+#include "results/field_values.hpp"
+#include "results/finished_run.hpp"
 
 namespace {
 
@@ -47,11 +47,11 @@ Coverage coverage_of(const std::vector<double>& errors, std::size_t population, 
 int main(int argc, char** argv) {
     fmt::print("{:28}{:>8}{:>10}{:>10}{:>12}{:>10}\n", "run", "d/B", "truth", "+-", "contains it", "below");
     for (int i = 1; i < argc; ++i) {
-        const app::FinishedRun run = app::read_finished_run(argv[i]);
+        const results::FinishedRun run = results::read_finished_run(argv[i]);
         for (std::size_t k = 0; k < run.record.frames; ++k) {
             const io::Frame frame = io::read_run_frame(run.frame_file(), k);
             std::vector<double> errors;
-            for (const float e : report::field(frame, "audited error", 1).values) errors.push_back(e);
+            for (const float e : results::field(frame, "audited error", 1).values) errors.push_back(e);
             std::size_t population = 0;
             for (const double e : errors) population += std::isfinite(e);
             if (population == 0 || frame.d_over_B <= 0) continue;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "dem/fast_state.hpp"
+#include "dem/fast/state.hpp"
 
 namespace sandgraph::dem {
 

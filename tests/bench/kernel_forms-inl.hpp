@@ -6,7 +6,7 @@
 #define SANDGRAPH_KERNEL_FORMS_INL
 #endif
 
-#include "dem/fast_forces-inl.hpp"
+#include "dem/fast/forces-inl.hpp"
 #include "tests/bench/grain_contacts.hpp"
 
 HWY_BEFORE_NAMESPACE();

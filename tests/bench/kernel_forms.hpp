@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "dem/fast_kernel.hpp"
-#include "dem/fast_state.hpp"
+#include "dem/fast/kernel.hpp"
+#include "dem/fast/state.hpp"
 
 namespace sandgraph::dem::bench {
 

@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <ctime>
 
-#include "dem/compact_packing.hpp"
-#include "dem/fast_packing.hpp"
-#include "dem/neighbour_list.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/neighbour_list.hpp"
+#include "dem/fast/packing.hpp"
+#include "dem/packing/compact_packing.hpp"
+#include "dem/packing/csv.hpp"
 #include "tests/bench/kernel_forms.hpp"
 
 namespace sandgraph::dem::bench {

@@ -11,8 +11,8 @@
 #include <ctime>
 #include <thread>
 
-#include "dem/observables.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/packing/observables.hpp"
 #include "dem/rve.hpp"
 
 namespace {

@@ -6,10 +6,10 @@
 
 #include <functional>
 
-#include "app/prepare_ground.hpp"
-#include "app/rve_options.hpp"
 #include "base/random.hpp"
 #include "dem/rve.hpp"
+#include "packings/prepare_ground.hpp"
+#include "packings/rve_options.hpp"
 #include "scene/read_scene.hpp"
 #include "surrogate/load_surrogate.hpp"
 
@@ -32,11 +32,11 @@ Stress tension(const Mat2& s) { return {-s(0, 0), -s(1, 1), -0.5 * (s(0, 1) + s(
 
 struct Laboratory {
     scene::Scene scene;
-    app::PreparedGround ground;
+    packings::PreparedGround ground;
 
     Laboratory(scene::Scene s, std::uint64_t seed) : scene(std::move(s)) {
         scene.ground.grains.seed = seed;
-        ground = app::prepare_ground(scene);
+        ground = packings::prepare_ground(scene);
     }
     std::size_t row(double pressure) const {
         const auto off = [&](std::size_t k) { return std::abs(ground.traits[k].pressure - pressure); };
@@ -51,7 +51,7 @@ struct Laboratory {
         auto work = std::make_shared<dem::Workspace>();
         const dem::Material material = scene.ground.grains.material;
         const dem::RveOptions options =
-            app::rve_options(scene.ground.rve, material, ground.rows[r].packing->grains->radius);
+            packings::rve_options(scene.ground.rve, material, ground.rows[r].packing->grains->radius);
         return {ground.traits[r], tension(rve->stress()), [=](const Mat2& F) {
                     rve->update(F, material, options, *work);
                     return tension(rve->stress());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/packing/csv.hpp"
 #include "fuzz/samples.hpp"
 #include "fuzz/small_state.hpp"
 #include "io/checkpoint.hpp"

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "dem/packing_csv.hpp"
+#include "dem/packing/csv.hpp"
 #include "fuzz/small_state.hpp"
 #include "io/checkpoint.hpp"
 #include "io/history_file.hpp"

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "dem/packing.hpp"
+#include "dem/packing/packing.hpp"
 
 // Valid files of every kind, small, for fuzzing to start from.
 namespace sandgraph::fuzz {

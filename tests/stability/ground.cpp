@@ -5,13 +5,13 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "app/compressed_packings.hpp"
-#include "app/rve_options.hpp"
 #include "graph/step_phases.hpp"
 #include "graph/visits.hpp"
 #include "mpm/audit.hpp"
 #include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
+#include "packings/compressed_packings.hpp"
+#include "packings/rve_options.hpp"
 #include "surrogate/load_surrogate.hpp"
 
 namespace sandgraph::stability {
@@ -32,7 +32,7 @@ double pressure_at(const GroundSpec& spec, double density, double depth) {
     return spec.pressure ? spec.pressure(depth) : spec.surcharge + density * gravity * depth;
 }
 
-graph::RveLawSetup grains_of(const GroundSpec& spec, const app::CompressedPackings& packings,
+graph::RveLawSetup grains_of(const GroundSpec& spec, const packings::CompressedPackings& packings,
                              const scene::Grains& recipe, const mpm::Points& points, double density) {
     graph::RveLawSetup setup;
     const int rows = points.row.empty() ? 0 : *std::ranges::max_element(points.row) + 1;
@@ -42,7 +42,7 @@ graph::RveLawSetup grains_of(const GroundSpec& spec, const app::CompressedPackin
     }
     setup.material = recipe.material;
     setup.row_of_point = points.row;
-    setup.options = app::rve_options({}, recipe.material, setup.rows.front().packing->grains->radius);
+    setup.options = packings::rve_options({}, recipe.material, setup.rows.front().packing->grains->radius);
     if (spec.stepping) spec.stepping(setup.options);
     return setup;
 }
@@ -57,7 +57,7 @@ std::unique_ptr<stress::Law> plastic_law(const GroundSpec& spec, const mpm::Poin
     return std::make_unique<stress::MohrCoulomb>(*spec.plastic, std::move(stress), std::move(zz));
 }
 
-std::unique_ptr<stress::Law> law_of(const GroundSpec& spec, const app::CompressedPackings& packings,
+std::unique_ptr<stress::Law> law_of(const GroundSpec& spec, const packings::CompressedPackings& packings,
                                     graph::RveLawSetup grains) {
     if (!spec.screening) return std::make_unique<graph::RveLaw>(std::move(grains));
     graph::ScreeningSetup setup;
@@ -86,7 +86,7 @@ mpm::RigidPlate plate_of(const GroundSpec& spec, double modulus, double density)
 Ground::Ground(const GroundSpec& spec) {
     scene::Grains recipe;
     recipe.count = spec.grains;
-    const app::CompressedPackings packings(recipe);
+    const packings::CompressedPackings packings(recipe);
     density_ = recipe.material.density * (1 - dem::porosity(packings.base_packing()));
     mpm::Points points = points_of(spec, density_);
     auto law = spec.plastic ? plastic_law(spec, points, density_)

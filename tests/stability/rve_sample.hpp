@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
-#include "dem/fast.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
 #include "dem/rve.hpp"
 #include "dem/stretch.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <exception>
 
-#include "app/revision.hpp"
+#include "base/revision.hpp"
 
 namespace sandgraph::stability {
 
@@ -29,7 +29,7 @@ bool Outcome::holds() const {
 }
 
 Outcome run(const Case& c, Effort effort) {
-    Outcome out{.name = c.name, .found = {}, .revision = app::revision()};
+    Outcome out{.name = c.name, .found = {}, .revision = sandgraph::revision()};
     const auto begin = std::chrono::steady_clock::now();
     try {
         c.run(effort, out.found);

@@ -1,6 +1,6 @@
 #pragma once
-#include "dem/fast.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
 #include "graph/rve_law.hpp"
 #include "stress/surrogate.hpp"
 

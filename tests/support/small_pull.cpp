@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "dem/fast.hpp"
-#include "dem/observe.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/observe.hpp"
 #include "element_surrogate.hpp"
 #include "graph/screening_law.hpp"
 #include "mpm/layout.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-#include "dem/prepare.hpp"
+#include "dem/prepare/prepare.hpp"
 #include "graph/pull.hpp"
 #include "graph/rve_law.hpp"
 

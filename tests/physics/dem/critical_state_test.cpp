@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/observe.hpp"
+#include "dem/packing/observe.hpp"
 #include "dem/rve.hpp"
 #include "dem/stretch.hpp"
 #include "public_packing.hpp"

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "app/element_test.hpp"
-#include "dem/element_test_strength.hpp"
+#include "dem/element_test/strength.hpp"
+#include "laboratory/element_test.hpp"
 #include "public_packing.hpp"
 
 namespace sandgraph::dem {
@@ -17,7 +17,7 @@ using test::matrix, test::Table;
 Table fast_test(scene::ElementTestSpec spec, const Packing& packing) {
     spec.mode = scene::Kernel::fast;
     const auto file = std::filesystem::path(testing::TempDir()) / "fast_yade_test.csv";
-    std::ofstream(file) << app::run_element_test(spec, packing, "{}").csv;
+    std::ofstream(file) << laboratory::run_element_test(spec, packing, "{}").csv;
     const Table table = test::read_csv(file.string());
     std::filesystem::remove(file);
     return table;

@@ -2,10 +2,10 @@
 #include <memory>
 #include <string>
 
-#include "dem/fast.hpp"
-#include "dem/packing_csv.hpp"
-#include "dem/prepare_stages.hpp"
-#include "dem/reference.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/prepare/stages.hpp"
+#include "dem/reference/reference.hpp"
 #include "tests/unit/dem/yade_reference.hpp"
 
 namespace sandgraph::dem::test {

@@ -1,5 +1,5 @@
-#include "dem/cell_reduction.hpp"
-#include "dem/observe.hpp"
+#include "dem/packing/cell_reduction.hpp"
+#include "dem/packing/observe.hpp"
 #include "public_packing.hpp"
 
 namespace sandgraph::dem {

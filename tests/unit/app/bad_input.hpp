@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/unit/app/subprocess.hpp"
+#include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
 

@@ -9,7 +9,7 @@
 #include "io/seal.hpp"
 #include "surrogate/model_file.hpp"
 #include "tests/support/random_model.hpp"
-#include "tests/unit/app/subprocess.hpp"
+#include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/unit/app/subprocess.hpp"
+#include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/unit/app/subprocess.hpp"
+#include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
 namespace {

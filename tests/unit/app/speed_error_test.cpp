@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/unit/app/subprocess.hpp"
+#include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
 namespace {

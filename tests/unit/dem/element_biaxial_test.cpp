@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "dem/element_test_servo.hpp"
-#include "dem/element_test_strength.hpp"
-#include "dem/packing_csv.hpp"
-#include "dem/reference.hpp"
+#include "dem/element_test/servo.hpp"
+#include "dem/element_test/strength.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/reference/reference.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

@@ -3,10 +3,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "dem/element_test.hpp"
-#include "dem/element_test_csv.hpp"
-#include "dem/packing_csv.hpp"
-#include "dem/reference.hpp"
+#include "dem/element_test/csv.hpp"
+#include "dem/element_test/element_test.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/reference/reference.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "dem/element_test.hpp"
-#include "dem/fast.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/element_test/element_test.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

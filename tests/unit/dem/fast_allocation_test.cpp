@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <new>
 
-#include "dem/fast_packing.hpp"
-#include "dem/neighbour_list.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/neighbour_list.hpp"
+#include "dem/fast/packing.hpp"
+#include "dem/packing/csv.hpp"
 #include "dem/rve.hpp"
 #include "yade_reference.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "dem/fast.hpp"
-#include "dem/observe.hpp"
-#include "dem/packing_csv.hpp"
-#include "dem/reference.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/packing/observe.hpp"
+#include "dem/reference/reference.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "base/random.hpp"
-#include "dem/cell_reduction.hpp"
-#include "dem/neighbours.hpp"
+#include "dem/fast/neighbours.hpp"
+#include "dem/packing/cell_reduction.hpp"
 
 namespace sandgraph::dem {
 namespace {

@@ -1,12 +1,12 @@
-#include "dem/grain_order.hpp"
+#include "dem/fast/grain_order.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "dem/fast.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

@@ -1,10 +1,10 @@
-#include "dem/lab_packing.hpp"
+#include "dem/packing/lab_packing.hpp"
 
 #include <gtest/gtest.h>
 
-#include "dem/fast.hpp"
-#include "dem/observe.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/packing/observe.hpp"
 #include "dem/stretch.hpp"
 #include "yade_reference.hpp"
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "dem/fast.hpp"
-#include "dem/observe.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/packing/observe.hpp"
 #include "dem/stretch.hpp"
 #include "yade_reference.hpp"
 

@@ -1,4 +1,4 @@
-#include "dem/packing_csv.hpp"
+#include "dem/packing/csv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

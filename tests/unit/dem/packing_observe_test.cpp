@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "dem/observe.hpp"
-#include "dem/packing_csv.hpp"
-#include "dem/reference.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/packing/observe.hpp"
+#include "dem/reference/reference.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

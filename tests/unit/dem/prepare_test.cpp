@@ -1,12 +1,12 @@
-#include "dem/prepare.hpp"
+#include "dem/prepare/prepare.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "dem/observe.hpp"
-#include "dem/packing_csv.hpp"
-#include "dem/prepare_stages.hpp"
-#include "dem/reference.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/packing/observe.hpp"
+#include "dem/prepare/stages.hpp"
+#include "dem/reference/reference.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {
@@ -95,7 +95,7 @@ TEST(Prepare, LooserSandNeedsMoreConsolidationFriction) {
 
 TEST(Prepare, IsDeterministicAndTellsItsProgress) {
     std::vector<double> fractions;
-    const Progress note = [&](std::string_view, double f) { fractions.push_back(f); };
+    const ProgressCallback note = [&](std::string_view, double f) { fractions.push_back(f); };
     const Prepared a = prepare(small(0.20), Material{}, reference, note),
                    b = prepare(small(0.20), Material{}, reference);
     EXPECT_EQ(a.packing.x, b.packing.x);

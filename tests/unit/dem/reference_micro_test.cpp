@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "dem/packing_csv.hpp"
-#include "dem/reference.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/reference/reference.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

@@ -1,4 +1,4 @@
-#include "dem/reference_pairs.hpp"
+#include "dem/reference/pairs.hpp"
 
 #include <gtest/gtest.h>
 

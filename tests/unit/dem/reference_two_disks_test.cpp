@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "dem/reference.hpp"
+#include "dem/reference/reference.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "dem/fast.hpp"
-#include "dem/packing_csv.hpp"
+#include "dem/fast/fast.hpp"
+#include "dem/packing/csv.hpp"
 #include "dem/stretch.hpp"
 #include "yade_reference.hpp"
 

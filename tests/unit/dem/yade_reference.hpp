@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/packing.hpp"
+#include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem::test {
 

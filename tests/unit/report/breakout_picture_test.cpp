@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "report/analytic.hpp"
+#include "results/analytic.hpp"
 
 namespace sandgraph::report {
 namespace {

@@ -45,14 +45,14 @@ LoadPicture two_runs() {
             c.load.push_back(66e3 *
                              (peak * (1 - std::exp(-d / 0.006)) - (peak - 2) * (1 - std::exp(-d / 0.08))));
         }
-        c.breakout = breakout(c.d_over_B, c.load);
+        c.breakout = results::breakout(c.d_over_B, c.load);
         picture.curves.push_back(c);
     }
     return picture;
 }
 
-GroundView view() {
-    GroundView v;
+results::GroundView view() {
+    results::GroundView v;
     v.title = "synthetic wedge";
     v.mirror = true;
     return v;
@@ -77,8 +77,8 @@ TEST(LoadPicture, RightAxisNeedsOneUnitLoad) {
 TEST(FieldPicture, DrawsEveryQuantity) {
     const Scratch folder;
     const io::Frame frame = test::lifted_wedge(0.3);
-    for (const Quantity q :
-         {Quantity::displacement, Quantity::equivalent_strain, Quantity::rotation, Quantity::porosity}) {
+    for (const results::Quantity q : {results::Quantity::displacement, results::Quantity::equivalent_strain,
+                                      results::Quantity::rotation, results::Quantity::porosity}) {
         const auto png = folder / (std::to_string(static_cast<int>(q)) + ".png");
         const Picture picture = draw_field_picture(frame, q, view(), png);
         ASSERT_TRUE(picture.drawn) << picture.message;
@@ -90,7 +90,8 @@ TEST(FieldPicture, DrawsEveryQuantity) {
 
 TEST(FieldPicture, UnstrainedGroundIsDrawnToo) {
     const Scratch folder;
-    for (const Quantity q : {Quantity::displacement, Quantity::rotation, Quantity::porosity}) {
+    for (const results::Quantity q :
+         {results::Quantity::displacement, results::Quantity::rotation, results::Quantity::porosity}) {
         const Picture picture = draw_field_picture(test::lifted_wedge(0), q, view(), folder / "a.png");
         EXPECT_TRUE(picture.drawn) << picture.message;
     }
@@ -100,7 +101,7 @@ TEST(FieldPicture, MissingFieldIsAMessageAndNoThrow) {
     const Scratch folder;
     io::Frame frame = test::lifted_wedge(0.1);
     frame.fields.clear();
-    const Picture picture = draw_field_picture(frame, Quantity::rotation, view(), folder / "a.png");
+    const Picture picture = draw_field_picture(frame, results::Quantity::rotation, view(), folder / "a.png");
     EXPECT_FALSE(picture.drawn);
     EXPECT_NE(picture.message.find("no field 'F'"), std::string::npos) << picture.message;
 }
@@ -108,14 +109,14 @@ TEST(FieldPicture, MissingFieldIsAMessageAndNoThrow) {
 TEST(FieldRows, MirrorImageTurnsTheOtherWay) {
     io::Frame frame = test::lifted_wedge(0.1, 0.1, 0.1);
     ASSERT_EQ(frame.x.size(), 1u);
-    const PointValues rotation{"rotation", "deg", true, {5}};
+    const results::PointValues rotation{"rotation", "deg", true, {5}};
     const std::string rows = square_rows(frame, rotation, view());
     EXPECT_NE(rows.find("0.05 "), std::string::npos);
     EXPECT_NE(rows.find("-0.05 "), std::string::npos);
     EXPECT_NE(rows.find(" -5\n"), std::string::npos) << rows;
-    const PointValues strain{"strain", "-", false, {5}};
+    const results::PointValues strain{"strain", "-", false, {5}};
     EXPECT_EQ(square_rows(frame, strain, view()).find(" -5\n"), std::string::npos);
-    const PointValues lost{"strain", "-", false, {std::nan("")}};
+    const results::PointValues lost{"strain", "-", false, {std::nan("")}};
     EXPECT_EQ(square_rows(frame, lost, view()), "");
 }
 

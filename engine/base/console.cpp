@@ -1,0 +1,50 @@
+#include "base/console.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+
+namespace sandgraph {
+namespace {
+
+constexpr double terminal_interval = 0.2, plain_interval = 10;  // [s]
+
+}  // namespace
+
+void tell(std::string_view text) { fmt::print("{}", text); }
+
+void notice(std::string_view line) { fmt::print(stderr, "{}\n", line); }
+
+double wall_clock() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+LiveLine::LiveLine(std::FILE* out) : out_(out), terminal_(isatty(fileno(out)) != 0) {}
+
+void LiveLine::show(const std::string& text, double now) {
+    next_ = now + (terminal_ ? terminal_interval : plain_interval);
+    fmt::print(out_, "{}{}{}", terminal_ ? "\r" : "", text, terminal_ ? "\033[K" : "\n");
+    std::fflush(out_);
+    live_ = terminal_;
+}
+
+void LiveLine::finish() {
+    if (live_) fmt::print(out_, "\n");
+    live_ = false;
+}
+
+void StageProgress::update(std::string_view stage, double fraction) {
+    stop_if_interrupted();
+    const double now = wall_clock();
+    if (line_.due(now))
+        line_.show(fmt::format("{:.0f} s  {} {:.0f} %", now - start_, stage, 100 * fraction), now);
+}
+
+void Tally::done(std::string_view stage) {
+    const std::lock_guard lock(telling_);
+    ++done_;
+    if (progress_) progress_(stage, static_cast<double>(done_) / static_cast<double>(all_));
+}
+
+}  // namespace sandgraph

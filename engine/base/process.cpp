@@ -1,0 +1,40 @@
+#include "base/process.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+namespace sandgraph {
+namespace {
+
+// Only async-signal-safe calls: the parent may have threads.
+[[noreturn]] void become(char* const* argv, const char* folder, const char* messages) {
+    const int in = ::open("/dev/null", O_RDONLY), out = ::open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (in < 0 || out < 0 || ::chdir(folder) != 0) ::_exit(126);
+    ::dup2(in, 0), ::dup2(out, 1), ::dup2(out, 2);
+    ::execvp(argv[0], argv);
+    ::_exit(errno == ENOENT ? program_missing : 126);
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
+                const std::filesystem::path& messages) {
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child < 0)
+        throw std::system_error(errno, std::generic_category(), "cannot start " + arguments.front());
+    if (child == 0) become(argv.data(), folder.c_str(), messages.c_str());
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0)
+        if (errno != EINTR)
+            throw std::system_error(errno, std::generic_category(), "cannot wait for " + arguments.front());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace sandgraph

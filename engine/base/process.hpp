@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sandgraph {
+
+inline constexpr int program_missing = 127;
+
+// Runs a program (searched in PATH, no shell) in `folder`, stdin empty, stdout and stderr to `messages`;
+// returns its exit status, 128 + signal if it was killed, program_missing if there is none of that name.
+int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
+                const std::filesystem::path& messages);
+
+}  // namespace sandgraph

@@ -1,0 +1,51 @@
+#include <cassert>
+#include <cmath>
+
+#include "dem/element_test/sample.hpp"
+#include "dem/element_test/servo.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+BiaxialRow biaxial_row(SampleOnStand& sample, double rate) {
+    BiaxialRow row;
+    static_cast<ElementRow&>(row) = sample.row();
+    const Mat2& s = row.seen.stress;
+    row.axial_strain = -std::log(row.F(1, 1));
+    row.volumetric_strain = -std::log(row.F.determinant());
+    row.p = 0.5 * (s(1, 1) + s(0, 0));
+    row.q = 0.5 * (s(1, 1) - s(0, 0));
+    row.sin_phi = row.p > 0 ? row.q / row.p : 0;
+    row.inertial_number = inertial_number(rate, row.p);
+    return row;
+}
+
+void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test) {
+    const double missing = test.confining_pressure - sample.assembly().stress()(0, 0);
+    Mat2 L = Mat2::Zero();
+    L(0, 0) = -width.rate(missing, quick_servo_interval * test.dt);
+    L(1, 1) = -test.axial_rate;
+    sample.step(L, quick_servo_interval);
+}
+
+}  // namespace
+
+std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test) {
+    assert(test.axial_rate > 0 && test.sample_strain > 0);
+    compress(assembly, {.pressure = test.confining_pressure,
+                        .rate = test.axial_rate,
+                        .modulus = test.modulus,
+                        .relax_steps = test.relax_steps,
+                        .dt = test.dt});
+    SampleOnStand sample(assembly, test.dt);
+    StressServo width = quick_servo(test.modulus, test.axial_rate);
+    std::vector<BiaxialRow> rows{biaxial_row(sample, test.axial_rate)};
+    while (rows.back().axial_strain < test.axial_strain * (1 - 1e-3)) {
+        const double next = static_cast<double>(rows.size()) * test.sample_strain;
+        while (-std::log(sample.F()(1, 1)) < next) shorten(sample, width, test);
+        rows.push_back(biaxial_row(sample, test.axial_rate));
+    }
+    return rows;
+}
+
+}  // namespace sandgraph::dem

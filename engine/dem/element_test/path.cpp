@@ -1,0 +1,32 @@
+#include <algorithm>
+#include <cassert>
+
+#include "dem/element_test/sample.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+// Steps to the next multiple of `every`, but not past the end of the segment.
+int stretch(std::int64_t at, int every, std::int64_t left) {
+    return static_cast<int>(std::min<std::int64_t>(every - at % every, left));
+}
+
+}  // namespace
+
+std::vector<ElementRow> run_path(Assembly& assembly, const PathTest& test) {
+    assert(test.sample_every > 0 && test.dt > 0);
+    assembly.step(Mat2::Zero(), test.dt, test.relax_steps);
+    SampleOnStand sample(assembly, test.dt);
+    std::vector<ElementRow> rows{sample.row()};
+    for (const PathSegment& segment : test.segments)
+        for (std::int64_t left = segment.steps; left > 0;) {
+            const int count = stretch(sample.steps(), test.sample_every, left);
+            sample.step(segment.L, count);
+            left -= count;
+            if (sample.steps() % test.sample_every == 0) rows.push_back(sample.row());
+        }
+    if (rows.back().step != sample.steps()) rows.push_back(sample.row());
+    return rows;
+}
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,57 @@
+#include "dem/fast/fast.hpp"
+
+#include <Eigen/LU>
+#include <numeric>
+
+#include "dem/fast/grain_order.hpp"
+#include "dem/fast/packing.hpp"
+#include "dem/packing/observe.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+// A small packing lies in the nearest cache in any order and keeps that of its maker.
+std::vector<int> memory_order(const Packing& packing) {
+    constexpr std::size_t kSmall = 1000;
+    if (packing.size() > kSmall) return strip_order(packing);
+    std::vector<int> as_given(packing.size());
+    std::iota(as_given.begin(), as_given.end(), 0);
+    return as_given;
+}
+
+}  // namespace
+
+FastAssembly::FastAssembly(const Packing& packing, const Material& material)
+    : material_(material), constants_(kernel_constants(material)), order_(memory_order(packing)) {
+    const Packing ordered = reordered(packing, order_);
+    load(ordered, material, state_);
+    neighbours_.relist(state_, ordered.contacts);
+    stress_ = love_weber_stress(packing, contact_forces(packing, material), material);
+}
+
+void FastAssembly::step(const Mat2& L, double dt, int count) {
+    dt_ = dt;
+    double sum[4];
+    for (int k = 0; k < count; ++k) {
+        if (neighbours_.stale(state_)) neighbours_.rebuild(state_), ++rebuilds_;
+        const bool last = k + 1 == count;
+        contact_forces(state_, constants_, dt, last ? sum : nullptr);
+        const double speed2 = kick_drift(state_, constants_, L, dt);
+        state_.approach += neighbours_.approach(state_, speed2, dt);
+    }
+    if (count < 1) return;
+    const double volume = state_.H_force.determinant() * material_.depth;
+    stress_ << sum[0] / volume, sum[1] / volume, sum[2] / volume, sum[3] / volume;
+}
+
+// The grains have moved once since the forces were taken; step back to where those belong.
+Observables FastAssembly::observe() {
+    Packing p = unload(state_);
+    p.H = state_.H_force;
+    for (std::size_t g = 0; g < p.size(); ++g) p.x[g] -= dt_ * p.vx[g], p.y[g] -= dt_ * p.vy[g];
+    return dem::observe(p, contact_forces(p, material_), material_);
+}
+
+Packing FastAssembly::packing() const { return reordered(unload(state_), inverse_order(order_)); }
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,63 @@
+#include "dem/fast/packing.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+namespace sandgraph::dem {
+namespace {
+
+constexpr int kLargest = 65000;  // pairs address grains with 16 bits
+
+void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
+    const double mass = m.density * m.depth * std::numbers::pi * p.r[g] * p.r[g];
+    const double spin = p.spin.empty() ? 0 : p.spin[g];
+    const double vx = p.vx.empty() ? 0 : p.vx[g], vy = p.vy.empty() ? 0 : p.vy[g];
+    set_grain(s.grain(g), p.x[g], p.y[g], vx, vy, p.r[g], spin);
+    s.inverse_mass[g] = 1 / mass;
+    s.inverse_inertia[g] = 2 / (mass * p.r[g] * p.r[g]);
+}
+
+}  // namespace
+
+void resize_grains(FastState& s, int n) {
+    const int room = padded(n + 1);
+    s.grains = n, s.masses_of.reset();
+    s.record.assign(FastState::kRecord * room, 0), s.force.assign(4 * room, 0);
+    s.inverse_mass.assign(room, 0), s.inverse_inertia.assign(room, 0);
+    set_grain(s.grain(n), 0, 0, 0, 0, 1e-6, 0);
+}
+
+void load(const Packing& p, const Material& material, FastState& s) {
+    const int n = static_cast<int>(p.size());
+    if (n > kLargest) throw std::invalid_argument("the fast kernel takes at most 65,000 grains a packing");
+    resize_grains(s, n);
+    for (int g = 0; g < n; ++g) load_grain(p, material, g, s);
+    s.radius_max = n > 0 ? *std::max_element(p.r.begin(), p.r.end()) : 0;
+    s.H = s.H_force = p.H, s.L = p.L, s.LH = p.L * p.H;
+    s.pairs = s.slots = s.inner = 0;
+}
+
+void contact_history(const FastState& s, std::vector<Contact>& out) {
+    out.clear();
+    for (int c = 0; c < s.slots; ++c) {
+        if (s.tangential[c] == 0 && s.moment[c] == 0) continue;
+        out.push_back({s.i[c], s.j[c], std::int16_t(s.image[c] / 3 - 1), std::int16_t(s.image[c] % 3 - 1),
+                       s.tangential[c], s.moment[c]});
+    }
+}
+
+Packing unload(const FastState& s) {
+    Packing p;
+    p.H = s.H, p.L = s.L;
+    for (int g = 0; g < s.grains; ++g) {
+        const double* a = s.grain(g);
+        p.x.push_back(a[0]), p.y.push_back(a[1]);
+        p.vx.push_back(a[2]), p.vy.push_back(a[3]);
+        p.r.push_back(a[4]), p.spin.push_back(a[6]);
+    }
+    contact_history(s, p.contacts);
+    return p;
+}
+
+}  // namespace sandgraph::dem

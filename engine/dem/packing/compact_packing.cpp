@@ -1,0 +1,102 @@
+#include "dem/packing/compact_packing.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <span>
+
+#include "base/hash.hpp"
+#include "dem/fast/kernel.hpp"
+#include "dem/fast/neighbour_list.hpp"
+#include "dem/fast/packing.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+std::shared_ptr<const GrainSet> grain_set(const FastState& s) {
+    auto set = std::make_shared<GrainSet>();
+    for (int g = 0; g < s.grains; ++g) {
+        const double r = s.grain(g)[4];
+        set->radius.push_back(r);
+        set->inverse_mass.push_back(s.inverse_mass[g]);
+        set->inverse_inertia.push_back(s.inverse_inertia[g]);
+        set->solid_area += std::numbers::pi * r * r;
+        set->radius_max = std::max(set->radius_max, r);
+        set->mean_diameter += 2 * r / s.grains;
+    }
+    return set;
+}
+
+// Masses are the same from visit to visit as long as the packings share their grains.
+void take_masses(const std::shared_ptr<const GrainSet>& set, FastState& s) {
+    if (s.masses_of == set) return;
+    const int n = static_cast<int>(set->radius.size());
+    if (s.grains != n) resize_grains(s, n);
+    std::copy(set->inverse_mass.begin(), set->inverse_mass.end(), s.inverse_mass.begin());
+    std::copy(set->inverse_inertia.begin(), set->inverse_inertia.end(), s.inverse_inertia.begin());
+    s.radius_max = set->radius_max;
+    s.masses_of = set;
+}
+
+}  // namespace
+
+std::size_t CompactPacking::bytes() const {
+    return sizeof *this + 8 * position.capacity() +
+           4 * (velocity.capacity() + tangential.capacity() + moment.capacity()) +
+           2 * (i.capacity() + j.capacity()) + image.capacity();
+}
+
+std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Material& material,
+                                              const Mat2& stress) {
+    FastState state;
+    load(packing, material, state);
+    NeighbourList neighbours;
+    neighbours.relist(state, packing.contacts);
+    auto out = std::make_shared<CompactPacking>();
+    out->grains = grain_set(state);
+    pack(state, *out);
+    out->stress = stress;
+    return out;
+}
+
+void unpack(const CompactPacking& p, FastState& s) {
+    take_masses(p.grains, s);
+    unpack_grains(p.position.data(), p.velocity.data(), p.grains->radius.data(), s.grains, s.record.data());
+    s.pairs = p.pairs, s.slots = static_cast<int>(p.i.size()), s.inner = p.inner;
+    s.i.assign(p.i.begin(), p.i.end()), s.j.assign(p.j.begin(), p.j.end());
+    s.image.assign(p.image.begin(), p.image.end());
+    s.tangential.resize(s.slots), s.moment.resize(s.slots);
+    widen(p.tangential.data(), s.slots, s.tangential.data());
+    widen(p.moment.data(), s.slots, s.moment.data());
+    s.H = p.H, s.L = p.L, s.H_force = p.H_force, s.LH = p.LH, s.approach = p.approach;
+}
+
+void pack(const FastState& s, CompactPacking& p) {
+    p.position.resize(2 * s.grains);
+    p.velocity.resize(3 * s.grains);
+    pack_grains(s.record.data(), s.grains, p.position.data(), p.velocity.data());
+    p.i.assign(s.i.begin(), s.i.end()), p.j.assign(s.j.begin(), s.j.end());
+    p.image.assign(s.image.begin(), s.image.end());
+    p.tangential.resize(s.slots), p.moment.resize(s.slots);
+    narrow(s.tangential.data(), s.slots, p.tangential.data());
+    narrow(s.moment.data(), s.slots, p.moment.data());
+    p.pairs = s.pairs, p.inner = s.inner;
+    p.H = s.H, p.L = s.L, p.H_force = s.H_force, p.LH = s.LH, p.approach = s.approach;
+}
+
+Packing to_packing(const CompactPacking& p) {
+    FastState state;
+    unpack(p, state);
+    return unload(state);
+}
+
+std::int64_t content_hash(const CompactPacking& p) {
+    Hasher hasher;
+    const auto add = [&](const auto& values) { hasher.add(std::as_bytes(std::span(values))); };
+    add(p.grains->radius), add(p.position);
+    add(p.i), add(p.j), add(p.image);
+    add(p.tangential), add(p.moment);
+    hasher.add(std::as_bytes(std::span(p.H.data(), 4)));
+    return static_cast<std::int64_t>(hasher.value());
+}
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,74 @@
+#include "dem/prepare/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/element_test/servo.hpp"
+
+namespace sandgraph::dem {
+namespace {
+
+constexpr int servo_interval = 10;       // steps
+constexpr double servo_response = 5e-4;  // [s]
+constexpr int hold = 1000;               // steps within the tolerance before a pressure counts as reached
+constexpr int relax_interval = 500;      // steps
+
+Mat2 servo_gradient(const Mat2& stress, const PressureStage& stage) {
+    StressServo normal(stage.modulus, servo_response, 0, stage.rate);
+    StressServo shear(0.5 * stage.modulus, servo_response, 0, stage.rate);
+    Mat2 L = Mat2::Zero();
+    L(0, 0) = -normal.rate(stage.pressure - stress(0, 0), 0);
+    L(1, 1) = -normal.rate(stage.pressure - stress(1, 1), 0);
+    if (stage.release_shear) L(0, 1) = L(1, 0) = 0.5 * shear.rate(0.5 * (stress(0, 1) + stress(1, 0)), 0);
+    return L;
+}
+
+double progress_of(const Mat2& stress, const PressureStage& stage) {
+    const double p = 0.5 * stress.trace();
+    return p <= stage.pressure ? p / stage.pressure : stage.pressure / p;
+}
+
+}  // namespace
+
+double largest_rate(const PressureStage& stage) {
+    return std::min(stage.rate, stage.pressure / (stage.modulus * servo_response));
+}
+
+bool at_pressure(const Mat2& stress, const PressureStage& stage) {
+    const double allowed = stage.tolerance * stage.pressure;
+    const bool normal = std::abs(stress(0, 0) - stage.pressure) < allowed &&
+                        std::abs(stress(1, 1) - stage.pressure) < allowed;
+    return normal && (!stage.release_shear || std::abs(0.5 * (stress(0, 1) + stress(1, 0))) < allowed);
+}
+
+bool drive_to_pressure(Assembly& assembly, const PressureStage& stage, long max_steps,
+                       const ProgressCallback& progress) {
+    assembly.step(Mat2::Zero(), stage.dt, 1);  // an assembly may know its stress only from a step on
+    int held = 0;
+    for (long step = 0; step < max_steps; step += servo_interval) {
+        const Mat2 stress = assembly.stress();
+        held = at_pressure(stress, stage) ? held + servo_interval : 0;
+        if (held > hold) return true;
+        if (progress && step % 10'000 == 0) progress("to pressure", progress_of(stress, stage));
+        assembly.step(servo_gradient(stress, stage), stage.dt, servo_interval);
+    }
+    return false;
+}
+
+bool relax(Assembly& assembly, double unbalanced, double dt, long max_steps) {
+    for (long step = 0; step < max_steps; step += relax_interval) {
+        assembly.step(Mat2::Zero(), dt, relax_interval);
+        if (assembly.observe().unbalanced < unbalanced) return true;
+    }
+    return false;
+}
+
+Packing at_rest(Packing packing) {
+    packing.vx.clear();
+    packing.vy.clear();
+    packing.spin.clear();
+    packing.L.setZero();
+    return packing;
+}
+
+}  // namespace sandgraph::dem

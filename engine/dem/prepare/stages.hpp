@@ -1,0 +1,39 @@
+#pragma once
+#include "dem/prepare/prepare.hpp"
+
+namespace sandgraph::dem {
+
+// The stages that preparations are made of. Stress compression positive.
+
+// Servo on the periods: both normal stresses to `pressure`, and the shear stress to zero if asked.
+// Dense-packing strain rates stay below `rate`.
+struct PressureStage {
+    double pressure = 0;  // [Pa]
+    double tolerance = 1e-3;
+    double rate = 0.1;     // [1/s]
+    double modulus = 2e7;  // [Pa], see typical_modulus
+    double dt = 1e-5;      // [s]
+    bool release_shear = false;
+};
+
+// Strain rate at which the servo closes a packing without stress [1/s].
+double largest_rate(const PressureStage& stage);
+// True when the stress is within the tolerance.
+bool at_pressure(const Mat2& stress, const PressureStage& stage);
+// Drives until the stress stayed within the tolerance for a while; false when `max_steps` were not enough.
+bool drive_to_pressure(Assembly& assembly, const PressureStage& stage, long max_steps,
+                       const ProgressCallback& progress);
+// Frozen cell, until the mean unbalanced force is below `unbalanced` (relative); false when `max_steps` ran
+// out.
+bool relax(Assembly& assembly, double unbalanced, double dt, long max_steps);
+
+// Velocities and the pending motion of the cell dropped.
+Packing at_rest(Packing packing);
+
+// Local damping of stages where only the end state counts: vibrations die out in some 10 ms.
+inline Material calm(Material material) {
+    material.damping = 0.5;
+    return material;
+}
+
+}  // namespace sandgraph::dem

@@ -1,0 +1,62 @@
+#include "packings/compressed_packings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "dem/packing/observe.hpp"
+#include "packings/measure_friction.hpp"
+#include "packings/packing_cache.hpp"
+#include "packings/prepare_packing.hpp"
+#include "packings/rve_options.hpp"
+
+namespace sandgraph::packings {
+
+CompressedPackings::CompressedPackings(const scene::Grains& grains, const ProgressCallback& progress)
+    : material_(grains.material),
+      recipe_(packing_recipe(grains)),
+      base_(cached_packing(recipe_ + "base\n", material_,
+                           [&] { return packings::base_packing(grains, progress); })) {}
+
+dem::Packing CompressedPackings::at(double pressure) const {
+    return cached_packing(fmt::format("{}pressure = {:a}\n", recipe_, pressure), material_, [&] {
+        return dem::compress_to(base_,
+                                {.pressure = pressure, .dt = preparation_time_step(material_, base_.r)},
+                                material_, fast_assemblies());
+    });
+}
+
+graph::RowPacking CompressedPackings::row(double pressure) const {
+    const dem::Packing packing = at(pressure);
+    const Mat2 stress = dem::love_weber_stress(packing, dem::contact_forces(packing, material_), material_);
+    return {dem::compact(packing, material_, stress), moduli(packing, pressure)};
+}
+
+graph::PlaneModuli CompressedPackings::moduli(const dem::Packing& packing, double pressure) const {
+    const auto value = cached_numbers(fmt::format("{}moduli at {:a}\n", recipe_, pressure), 2, [&] {
+        const dem::Moduli m = dem::small_strain_moduli(packing, material_, fast_assemblies(),
+                                                       preparation_time_step(material_, packing.r));
+        return std::vector<double>{m.bulk, m.shear};
+    });
+    return {value[0], value[1]};
+}
+
+double CompressedPackings::friction(const ProgressCallback& progress) const {
+    return measured_friction(base_, material_, recipe_, progress);
+}
+
+stress::PackingTraits CompressedPackings::traits(const graph::RowPacking& row, double friction_angle) const {
+    const dem::Packing packing = dem::to_packing(*row.packing);
+    const dem::Observables seen = dem::observe(packing, dem::contact_forces(packing, material_), material_);
+    stress::PackingTraits traits;
+    traits.pressure = 0.5 * seen.stress.trace();
+    traits.porosity = seen.porosity;
+    traits.bulk = row.moduli.bulk, traits.shear = row.moduli.shear;
+    traits.coordination = seen.coordination;
+    traits.fabric_xx = 0.5 * (seen.fabric(0, 0) - seen.fabric(1, 1));
+    traits.fabric_xy = seen.fabric(0, 1);
+    traits.strength = std::sin(friction_angle);
+    return traits;
+}
+
+}  // namespace sandgraph::packings

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "dem/prepare/prepare.hpp"
+
+namespace sandgraph::packings {
+
+// Peak friction angle [rad] of a packing: biaxial tests at 32, 64 and 128 kPa to 10 % strain (Liang et al.
+// 2021, Fig. 2), one line through the origin. Kept in the packing cache under `recipe`.
+double measured_friction(const dem::Packing& packing, const dem::Material& material,
+                         const std::string& recipe, const ProgressCallback& progress);
+
+}  // namespace sandgraph::packings

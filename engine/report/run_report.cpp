@@ -1,0 +1,147 @@
+#include "report/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.hpp"
+#include "report/cross_scale.hpp"
+#include "report/html.hpp"
+#include "report/run_pictures.hpp"
+#include "results/run_summary.hpp"
+
+namespace sandgraph::report {
+namespace {
+
+namespace fs = std::filesystem;
+using report::Row;
+
+std::string number(double value, int digits) {
+    return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "not known";
+}
+
+std::string share(double value) {
+    return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : "not known";
+}
+
+std::vector<Row> result_rows(const results::FinishedRun& run) {
+    const io::Summary& s = run.summary;
+    const double formula = results::pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
+    return {
+        {"result", ""},
+        {results::broke_out(s) ? "breakout factor N_gamma" : "largest N_gamma so far, the load still rises",
+         number(s.n_gamma, 3)},
+        {results::pulled_up(run.scene) ? "Meyerhof & Adams (1968)" : "Biarez et al. (1965)",
+         number(formula, 3)},
+        {"friction angle of the packing [deg]", number(run.summary.number("friction_angle_deg"), 3)},
+        {"breakout load Q_u [kN/m]", number(s.peak_load / 1000, 4)},
+        {"at d/B", number(s.peak_d_over_B, 3)},
+        {"late load [kN/m]", number(s.late_load / 1000, 4)},
+        {"kinetic energy / plate work, at most", number(s.kinetic_to_strain_energy_max, 2)}};
+}
+
+std::vector<Row> cost_rows(const results::FinishedRun& run) {
+    const io::Summary& s = run.summary;
+    std::vector<Row> rows = {{"cost", ""},
+                             {"mode", s.mode},
+                             {"wall time [s]", number(s.wall_s, 4)},
+                             {"threads", fmt::format("{}", s.threads)},
+                             {"material points", fmt::format("{}", s.points)},
+                             {"MPM steps", fmt::format("{}", s.steps)},
+                             {"DEM steps", number(double(s.dem_steps), 3)},
+                             {"RVE updates", number(double(s.rve_updates), 3)}};
+    for (const auto& [phase, seconds] : run.record.timing)
+        rows.push_back({"  " + phase + " [s]", number(seconds, 3)});
+    return rows;
+}
+
+std::vector<Row> screening_rows(const results::FinishedRun& run) {
+    const io::Summary& s = run.summary;
+    return {{"surrogate", ""},
+            {"surrogate updates", number(double(s.surrogate_updates), 3)},
+            {"points that are grains at the end", share(s.dem_fraction_final)},
+            {"mean over the run", share(s.dem_fraction_mean)},
+            {"audited points", fmt::format("{}", s.audit.points)},
+            {"stress error they show, share of p", share(s.audit.stress_error_mean)},
+            {"95 % interval, +-", share(s.audit.ci95)}};
+}
+
+// displacement_0100.png and its like; other pictures of the run have figures of their own.
+bool is_field_picture(const std::string& stem) {
+    const std::string field = stem.substr(0, stem.rfind('_'));
+    return field != stem && std::ranges::find(field_picture_names(), field) != field_picture_names().end();
+}
+
+// Those and load.png, regions.png, stress_paths.png and packings' NAME_DDDD.png.
+bool is_own_picture(const fs::path& file) {
+    const std::string stem = file.stem().string(), number = stem.substr(stem.rfind('_') + 1);
+    const bool numbered =
+        number != stem && number.size() >= 4 && number.find_first_not_of("0123456789") == std::string::npos;
+    return file.extension() == ".png" &&
+           (numbered || stem == "load" || stem == "regions" || stem == "stress_paths");
+}
+
+// Of many frames those nearest to the breakout and to even steps up to the last.
+std::vector<std::size_t> frames_shown(const results::FinishedRun& run, std::size_t most) {
+    std::vector<double> d;
+    for (std::size_t k = 0; k < run.record.frames; ++k)
+        d.push_back(io::read_run_frame(run.frame_file(), k).d_over_B);
+    if (d.size() <= most) return {};
+    std::set<std::size_t> chosen;
+    const auto add = [&](double at) {
+        const auto nearer = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
+        chosen.insert(static_cast<std::size_t>(std::min_element(d.begin(), d.end(), nearer) - d.begin()));
+    };
+    add(run.summary.peak_d_over_B);
+    for (std::size_t k = 1; k < most; ++k) add(d.back() * double(k) / double(most - 1));
+    return {chosen.begin(), chosen.end()};
+}
+
+// What an older report left would pass for this run's.
+void clear_pictures(const fs::path& folder) {
+    if (!fs::is_directory(folder)) return;
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (is_own_picture(entry.path())) old.push_back(entry.path());
+    for (const fs::path& png : old) fs::remove(png);
+}
+
+std::string field_figures(const results::FinishedRun& run, const fs::path& pictures) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(pictures))
+        if (is_field_picture(entry.path().stem().string())) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string html = "<div class=\"grid\">\n";
+    for (const fs::path& file : files) {
+        const std::string stem = file.stem().string(), field = stem.substr(0, stem.rfind('_'));
+        const double d = std::strtod(stem.substr(stem.rfind('_') + 1).c_str(), nullptr) / 1000;
+        if (d == 0) continue;  // nothing has moved
+        html += report::figure(file,
+                               fmt::format("{} of {}, d/B = {:.3g}", field, results::title_of(run.scene), d));
+    }
+    return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string run_chapter(const results::FinishedRun& run, const fs::path& pictures,
+                        const ChapterOptions& options) {
+    clear_pictures(pictures);
+    const std::string told = draw_pictures(pictures, run, frames_shown(run, options.frames_max));
+    std::string html =
+        fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p class=\"lead\">{0}, scene {2}, revision {3}</p>\n",
+                    report::escaped(run.folder.string()), report::escaped(results::title_of(run.scene)),
+                    run.summary.scene_hash, run.summary.git);
+    html += "<div class=\"grid\">\n" + report::table(result_rows(run)) + report::table(cost_rows(run));
+    if (run.summary.mode == "screening") html += report::table(screening_rows(run));
+    html += "</div>\n" + report::figure(pictures / "load.png", "Load against displacement");
+    html += "<h3>Fields</h3>\n" + field_figures(run, pictures);
+    html += cross_scale_chapter(run, pictures, options.critical);
+    if (told.starts_with("no pictures")) html += "<p class=\"missing\">" + report::escaped(told) + "</p>\n";
+    return html +
+           report::details("Scene", "<pre>" + report::escaped(run.record.info.scene_text) + "</pre>\n");
+}
+
+}  // namespace sandgraph::report

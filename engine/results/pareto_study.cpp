@@ -1,0 +1,114 @@
+#include "results/pareto_study.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/console.hpp"
+#include "base/hash.hpp"
+#include "base/revision.hpp"
+#include "io/checkpoint.hpp"
+#include "io/run_file.hpp"
+#include "scene/scene_hash.hpp"
+
+namespace sandgraph::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Plan {
+    std::string label;
+    std::string mode;
+    std::vector<std::string> set;
+};
+
+// "0.003" or "0.003:0.1".
+std::vector<std::string> gate_of(const std::string& threshold) {
+    const std::size_t colon = threshold.find(':');
+    std::vector<std::string> set{"gate.strain=" + threshold.substr(0, colon)};
+    if (colon != std::string::npos) set.push_back("gate.flow=" + threshold.substr(colon + 1));
+    return set;
+}
+
+std::vector<Plan> plans(const ParetoRequest& request) {
+    std::vector<Plan> out{{"full", "full", {}}};
+    for (const std::string& t : request.thresholds) out.push_back({t, "screening", gate_of(t)});
+    out.push_back({"surrogate", "screening", {"gate.active=false"}});
+    return out;
+}
+
+// Of this scene, by this program, on as many threads: times of others tell nothing of the scene.
+bool is_of(const fs::path& folder, const std::string& hash, int threads) {
+    if (!fs::exists(folder / "run.h5")) return false;
+    const io::RunInfo info = io::read_run(folder / "run.h5").info;
+    return info.scene_hash == hash && info.git == revision() && info.threads == threads;
+}
+
+simulation::RunRequest run_request(const ParetoRequest& request, const Plan& plan) {
+    simulation::RunRequest run = request.run;
+    run.mode = plan.mode;
+    run.set.insert(run.set.end(), plan.set.begin(), plan.set.end());
+    return run;
+}
+
+// The run of a plan, made now unless its folder has it.
+std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan, const std::string& suffix) {
+    simulation::RunRequest run = run_request(request, plan);
+    if (!suffix.empty()) run.set.emplace_back("audit.share=1");
+    const fs::path folder = fs::path(request.run.folder) / (plan.label + suffix);
+    run.folder = folder.string();
+    const bool same =
+        is_of(folder, hex(scene::scene_hash(simulation::scene_of(run))), simulation::threads_of(run));
+    if (same && fs::exists(folder / "summary.json")) return read_finished_run(folder);
+    run.resume = same && fs::exists(folder / io::checkpoint_name);
+    if (!run.resume) io::remove_restart_files(folder);
+    tell(fmt::format("--- {}\n", folder.string()));
+    if (run_scene(run, request.draw) != simulation::RunEnd::finished) return std::nullopt;
+    return read_finished_run(folder);
+}
+
+}  // namespace
+
+std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request) {
+    for (const Plan& plan : plans(request))
+        simulation::scene_of(run_request(request, plan));  // refused before any runs
+    std::vector<ParetoRow> rows;
+    std::optional<FinishedRun> reference;
+    for (const Plan& plan : plans(request)) {
+        const auto run = run_of(request, plan, "");
+        if (!run) return std::nullopt;
+        if (!reference) reference = run;
+        ParetoRow row{plan.label,         compare_runs(*reference, *run), run->summary.wall_s,
+                      run->summary.cpu_s, run->summary.dem_steps,         io::Summary::unknown};
+        if (request.census && plan.mode == "screening") {
+            const auto census = run_of(request, plan, "_census");
+            if (!census) return std::nullopt;
+            row.true_error = census->summary.audit.stress_error_mean;
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::string to_csv(const std::vector<ParetoRow>& rows) {
+    std::string out =
+        "threshold,wall_s,cpu_s,speedup,cpu_ratio,dem_steps,dem_fraction_mean,dem_fraction_final,peak_error,"
+        "peak_position_error,curve_error,curve_error_smoothed,displacement_error,stress_error,jump_p95,"
+        "jump_felt_p95,ordinary_step_p95,replay_share,audit_mean,audit_ci95,true_stress_error,interval_"
+        "holds\n";
+    for (const ParetoRow& r : rows) {
+        const Comparison& c = r.against;
+        const bool known = std::isfinite(r.true_error) && std::isfinite(c.audit_ci95);
+        out += fmt::format("{},{:.2f},{:.2f},{:.3f},{:.3f},{},{:.4f},{:.4f},", r.label, r.wall, r.cpu,
+                           c.wall_ratio, c.cpu_ratio, r.dem_steps, c.dem_share_mean, c.dem_share);
+        out += fmt::format("{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},", c.peak_error, c.peak_position_error,
+                           c.curve_error, c.curve_error_smoothed, c.displacement_error, c.stress_error);
+        out +=
+            fmt::format("{:.4f},{:.5f},{:.5f},{:.4f},{:.5f},{:.5f},{:.5f},{}\n", c.jump_p95, c.felt_p95,
+                        c.ordinary_p95, c.replay_share, c.audit_mean, c.audit_ci95, r.true_error,
+                        known ? (std::abs(r.true_error - c.audit_mean) <= c.audit_ci95 ? "yes" : "no") : "");
+    }
+    return out;
+}
+
+}  // namespace sandgraph::results

@@ -1,0 +1,70 @@
+#include "simulation/build_screening.hpp"
+
+#include "base/error.hpp"
+
+namespace sandgraph::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kShipped = "table1.surrogate.h5";
+
+// `name` in `folder`, in its folder `configs`, or in those of the folders above it.
+fs::path found_above(fs::path folder, const char* name) {
+    for (;; folder = folder.parent_path()) {
+        for (const fs::path& here : {folder / name, folder / "configs" / name})
+            if (fs::exists(here)) return here;
+        if (!folder.has_relative_path()) return {};
+    }
+}
+
+graph::GateSettings gate_of(const scene::Gate& g) {
+    graph::GateSettings out;
+    out.active = g.active, out.strain = g.strain, out.stress_ratio = g.stress_ratio, out.tension = g.tension;
+    out.distance = g.distance, out.spread = g.spread, out.work = g.second_order_work;
+    out.acoustic = g.acoustic, out.acoustic_from = g.acoustic_from, out.low = g.low, out.flow = g.flow;
+    return out;
+}
+
+}  // namespace
+
+fs::path model_file(const scene::Scene& scene) {
+    if (!scene.screening.surrogate.model.empty()) return scene.screening.surrogate.model;
+    std::error_code unknown;
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    for (const fs::path& from : {fs::absolute(scene.file).lexically_normal(), program})
+        if (const fs::path found = found_above(from.parent_path(), kShipped); !found.empty()) return found;
+    throw InputError(scene.where("mode"), "mode = \"screening\" without a surrogate",
+                     std::string("no ") + kShipped + " beside the scene or the program",
+                     "give [surrogate] model = \"FILE.h5\" (sandgraph train makes one)");
+}
+
+std::unique_ptr<stress::Law> screening_law(const scene::Scene& scene, const packings::PreparedGround& ground,
+                                           graph::RveLawSetup grains) {
+    const scene::Screening& s = scene.screening;
+    graph::ScreeningSetup setup;
+    setup.grains = std::move(grains);
+    setup.surrogate = ground.surrogate;
+    setup.traits = ground.traits;
+    setup.visits = {s.surrogate.update_tolerance, s.surrogate.update_change_max,
+                    setup.grains.options.pressure_floor};
+    setup.gate = gate_of(s.gate);
+    setup.hand_over = {s.gate.dilate, s.gate.blend_steps, s.gate.replay_steps, s.gate.path_error};
+    setup.audit = {s.audit.share, s.audit.seed, s.audit.every};
+    return std::make_unique<graph::ScreeningLaw>(std::move(setup));
+}
+
+io::ScreeningRecord screening_record(const stress::Law& law) {
+    io::ScreeningRecord out;
+    const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(&law);
+    if (!screening) return out;
+    out.reasons.assign(graph::reason_names.begin(), graph::reason_names.end());
+    for (const graph::Switch& s : screening->switches())
+        out.switches.push_back(
+            {s.step, s.d_over_B, s.point, static_cast<std::uint8_t>(s.reason), s.jump, s.felt, s.ordinary});
+    for (const graph::AuditRow& a : screening->audits())
+        out.audits.push_back({a.d_over_B, a.points, a.population, a.mean, a.ci95});
+    return out;
+}
+
+}  // namespace sandgraph::simulation

@@ -1,0 +1,55 @@
+#include "simulation/run_request.hpp"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "base/error.hpp"
+#include "scene/read_scene.hpp"
+#include "simulation/build_screening.hpp"
+
+namespace sandgraph::simulation {
+namespace {
+
+// A word as a shell takes it.
+std::string quoted(const std::string& word) {
+    const bool plain = word.find_first_of(" \"'$&|;<>()[]*?#~\\`!{}") == std::string::npos && !word.empty();
+    if (plain) return word;
+    std::string out = "'";
+    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+}  // namespace
+
+int threads_of(const RunRequest& a) {
+    return a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
+}
+
+scene::Scene scene_of(const RunRequest& a) {
+    std::vector<std::string> overrides = a.set;
+    if (!a.mode.empty()) overrides.push_back("mode=" + a.mode);
+    scene::Scene scene = scene::read_scene(a.scene, overrides);
+    if (scene.mode == scene::Mode::screening) {
+        if (scene.ground.law != scene::Law::rve)
+            throw InputError(a.mode.empty() ? scene.where("mode") : InputError::Where{"--mode"},
+                             "mode = \"screening\" of a closed-form law",
+                             "a surrogate stands in for packings of grains", "write ground.law = \"rve\"");
+        scene.screening.surrogate.model = model_file(scene).string();
+    }
+    if (!scene.anchor.present)
+        throw InputError(scene.where("anchor.present"), "anchor.present = false", "`run` pulls an anchor",
+                         "give the scene an [anchor]");
+    return scene;
+}
+
+std::string resume_command(const RunRequest& a, const std::filesystem::path& folder) {
+    std::string out = fmt::format("sandgraph run {} -o {}", quoted(a.scene), quoted(folder.string()));
+    if (!a.mode.empty()) out += " --mode " + a.mode;
+    for (const std::string& assignment : a.set) out += " --set " + quoted(assignment);
+    if (a.threads > 0) out += fmt::format(" --threads {}", a.threads);
+    if (a.until > 0) out += fmt::format(" --until {}", a.until);
+    return out + " --resume";
+}
+
+}  // namespace sandgraph::simulation

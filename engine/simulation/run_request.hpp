@@ -1,0 +1,27 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace sandgraph::simulation {
+
+// What `sandgraph run` is asked for.
+struct RunRequest {
+    std::string scene, folder, mode;  // files; mode "": the scene's
+    std::vector<std::string> set;     // section.key=value
+    int threads = 0;                  // 0: all cores
+    bool resume = false;
+    double until = 0;  // d/B at which to stop; 0: the scene's end
+};
+
+int threads_of(const RunRequest& request);
+
+// The checked scene of a request, with the surrogate's file found.
+scene::Scene scene_of(const RunRequest& request);
+
+// What to type to go on with a run that was stopped; words as a shell takes them.
+std::string resume_command(const RunRequest& request, const std::filesystem::path& folder);
+
+}  // namespace sandgraph::simulation

@@ -1,0 +1,78 @@
+#include "packings/compressed_packings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "packings/rve_options.hpp"
+#include "tests/unit/io/scratch.hpp"
+
+namespace sandgraph::packings {
+namespace {
+
+scene::Grains few_grains() {
+    scene::Grains grains;
+    grains.count = 60;
+    return grains;
+}
+
+TEST(PackingTraits, DescribeThePackingAtItsPressure) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    const CompressedPackings packings(few_grains());
+    const graph::RowPacking row = packings.row(40e3);
+    const stress::PackingTraits traits = packings.traits(row, 0.5);
+    EXPECT_NEAR(traits.pressure, 40e3, 0.01 * 40e3);
+    EXPECT_NEAR(traits.porosity, dem::porosity(packings.at(40e3)), 1e-9);
+    EXPECT_NEAR(traits.porosity, 0.16, 0.01);
+    EXPECT_EQ(traits.bulk, row.moduli.bulk);
+    EXPECT_EQ(traits.shear, row.moduli.shear);
+    EXPECT_GT(traits.shear, 1e6);
+    EXPECT_GT(traits.coordination, 2.5);
+    EXPECT_LT(traits.coordination, 4.5);
+    EXPECT_LT(std::hypot(traits.fabric_xx, traits.fabric_xy), 0.1);
+    EXPECT_EQ(traits.strength, std::sin(0.5));
+}
+
+TEST(PreparationStep, IsTheUsualOneOfUsualGrainsAndStaysStableForOthers) {
+    const std::vector<double> usual{0.003, 0.007}, small{0.0003, 0.0007};
+    EXPECT_EQ(preparation_time_step({}, usual), 1e-5);
+    dem::Material stiff;
+    stiff.young *= 20;
+    EXPECT_LT(preparation_time_step(stiff, usual), 0.5 * critical_time_step(stiff, usual));
+    EXPECT_LT(preparation_time_step({}, small), 0.5 * critical_time_step({}, small));
+}
+
+// All lengths by a tenth, the depth too: an assembly with the same stresses, ten times as quick.
+TEST(CompressedPackings, OfSmallGrainsAreThoseOfLargeOnesScaled) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    scene::Grains small = few_grains();
+    small.radius_min /= 10, small.radius_max /= 10, small.material.depth /= 10;
+    const graph::PlaneModuli large_moduli = CompressedPackings(few_grains()).row(40e3).moduli;
+    const CompressedPackings packings(small);
+    EXPECT_NEAR(dem::porosity(packings.at(40e3)), dem::porosity(CompressedPackings(few_grains()).at(40e3)),
+                0.005);
+    EXPECT_NEAR(packings.row(40e3).moduli.bulk, large_moduli.bulk, 0.2 * large_moduli.bulk);
+}
+
+// Contacts turn towards the compressed direction and are lost across it.
+TEST(PackingTraits, FabricLeansToTheCompressedAxis) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    const CompressedPackings packings(few_grains());
+    dem::Rve rve(packings.row(40e3).packing);
+    dem::Workspace work;
+    const double size = 5e-4;
+    for (int step = 0; step < 30; ++step)
+        rve.update((Mat2() << 1 + size, 0, 0, 1 - size).finished(), few_grains().material, {}, work);
+    const auto sheared = std::make_shared<dem::CompactPacking>(rve.packing());
+    const stress::PackingTraits traits = packings.traits({sheared, {}}, 0.5);
+    EXPECT_LT(traits.fabric_xx, -0.02);
+    EXPECT_LT(std::abs(traits.fabric_xy), -traits.fabric_xx);
+}
+
+}  // namespace
+}  // namespace sandgraph::packings
