@@ -2,7 +2,6 @@
 #include <torch/nn/module.h>
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,9 +27,6 @@ class Law : public torch::nn::Module {
 using Rung = scene::TrainRung;
 inline constexpr std::array rungs = {Rung::elastic, Rung::fitted, Rung::learned, Rung::mlp, Rung::gru};
 const char* name_of(Rung rung);
-
-// An untrained law; initial parameters are drawn from `seed`.
-std::shared_ptr<Law> make_law(Rung rung, std::int64_t members, std::uint64_t seed, torch::Dtype type);
 
 // Initial weights of a layer [E, in, out]: normal, standard deviation gain/sqrt(in).
 torch::Tensor layer_weights(std::int64_t members, std::int64_t in, std::int64_t out, double gain);

@@ -13,6 +13,7 @@
 #include "training/element_law.hpp"
 #include "training/export_model.hpp"
 #include "training/known_traits.hpp"
+#include "training/make_law.hpp"
 
 namespace sandgraph::training {
 namespace {

@@ -78,7 +78,7 @@ PackingRecord read_packing(const std::filesystem::path& path) {
     read_grains(root.open("grains"), record.packing);
     record.packing.contacts = read_contacts(root.open("contacts"));
     record.material = read_material(root.open("material"));
-    check_packing_record(record, path.string());
+    check_stored_packing(record.packing, path.string());
     return record;
 }
 

@@ -43,8 +43,7 @@ void check_contact(const std::string& file, std::size_t c, const dem::Contact& c
 
 }  // namespace
 
-void check_packing_record(const PackingRecord& record, const std::string& file) {
-    const dem::Packing& p = record.packing;
+void check_stored_packing(const dem::Packing& p, const std::string& file) {
     const std::size_t grains = p.size();
     check_length(file, "y", p.y.size(), grains);
     check_length(file, "r", p.r.size(), grains);

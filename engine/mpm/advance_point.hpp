@@ -1,8 +1,14 @@
 #pragma once
+#include <cstddef>
+
 #include "mpm/points.hpp"
-#include "mpm/transfer_kernel.hpp"
 
 namespace sandgraph::mpm {
+
+struct Advance {
+    double dt = 0;   // [s]
+    double pic = 0;  // share of PIC in the velocity update, the rest FLIP
+};
 
 // What a point reads from the grid: velocity [m/s], acceleration [m/s2], velocity gradient L_ij = dv_i/dx_j
 // [1/s].

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/touch.hpp"
 
 namespace sandgraph::mpm {
 namespace {

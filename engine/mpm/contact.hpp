@@ -4,23 +4,9 @@
 
 #include "base/archive.hpp"
 #include "mpm/order.hpp"
-#include "mpm/plate.hpp"
-#include "mpm/points.hpp"
-#include "mpm/reach.hpp"
+#include "mpm/touch.hpp"
 
 namespace sandgraph::mpm {
-
-enum class Face : std::uint8_t { none, top, bottom, left, right };
-inline constexpr std::size_t kFaces = 5;
-
-// One point that touches the plate in this step.
-struct Touch {
-    std::int32_t point = 0;
-    Face face = Face::none;
-    double penetration = 0;  // with the rest pressure's share [m], positive
-    double length = 0;       // of the point's domain along the face [m]
-    Reach reach;             // nodes that carry the force
-};
 
 // Force of the soil on each face of the plate [N/m], by Face. Penalty forces only: no damping enters.
 struct Reaction {

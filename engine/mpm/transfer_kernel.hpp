@@ -1,15 +1,11 @@
 #pragma once
 #include <span>
 
+#include "mpm/advance_point.hpp"
 #include "mpm/grid.hpp"
 #include "mpm/points.hpp"
 
 namespace sandgraph::mpm {
-
-struct Advance {
-    double dt = 0;   // [s]
-    double pic = 0;  // share of PIC in the velocity update, the rest FLIP
-};
 
 // Vectorised transfers of the points `ids` to and from field 0, for the widest instruction set of the
 // machine.

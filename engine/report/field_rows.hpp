@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
 
-#include "report/field_picture.hpp"
+#include "io/frame.hpp"
+#include "results/field_values.hpp"
+#include "results/ground_view.hpp"
 
 namespace sandgraph::report {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/console.hpp"
 #include "base/error.hpp"
 #include "dem/packing/lab_packing.hpp"
 #include "graph/rve_law.hpp"
@@ -160,8 +161,8 @@ void RegionRecorder::keep(const graph::Pull& pull, std::size_t region, double ma
     const std::size_t point = members_[region].middle;
     const dem::Rve* packing = packing_at(*pull.state().law, point);
     if (!packing)
-        return fmt::print(stderr, "[[region]] {}: no packing at d/B = {:g}, no grains answer there\n",
-                          regions_[region].name, mark);
+        return notice(fmt::format("[[region]] {}: no packing at d/B = {:g}, no grains answer there",
+                                  regions_[region].name, mark));
     auto record = std::make_shared<io::PackingRecord>();
     record->packing = dem::lab_packing(*packing), record->material = material_;
     record->recipe = fmt::format("# point {} of region {} at d/B = {:.6g}\n", point, regions_[region].name,

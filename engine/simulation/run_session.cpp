@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "base/console.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/interrupt.hpp"
@@ -62,7 +63,7 @@ RunSession::RunSession(const scene::Scene& scene, const packings::PreparedGround
 
 void RunSession::resume() {
     io::CheckpointReader reader(options_.folder / io::checkpoint_name, hash_of(scene_));
-    if (!reader.notice().empty()) fmt::print(stderr, "{}\n", reader.notice());
+    if (!reader.notice().empty()) notice(reader.notice());
     try {
         archive(reader);
     } catch (const StateError& error) {

@@ -1,5 +1,6 @@
 #include "dem/element_test/element_test.hpp"
 #include "dem/packing/observe.hpp"
+#include "dem/prepare/prepare.hpp"
 #include "dem/prepare/stages.hpp"
 
 namespace sandgraph::dem {

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "dem/element_test/element_test.hpp"
+#include "dem/prepare/prepare.hpp"
 #include "dem/prepare/stages.hpp"
 
 namespace sandgraph::dem {

@@ -1,5 +1,7 @@
 #pragma once
-#include "dem/prepare/prepare.hpp"
+#include "base/console.hpp"
+#include "dem/assembly.hpp"
+#include "dem/material.hpp"
 
 namespace sandgraph::dem {
 

@@ -27,7 +27,8 @@ TEST(BreakoutPicture, DrawsTheFormulaThatBelongsToThePlate) {
         EXPECT_DOUBLE_EQ(measured[1].second, 4.1);
         EXPECT_GE(formula.back().first, 8);
         for (const auto& [ratio, n] : formula)
-            EXPECT_NEAR(n, horizontal ? meyerhof_adams(ratio, phi) : biarez(ratio, phi), 1e-4);
+            EXPECT_NEAR(n, horizontal ? results::meyerhof_adams(ratio, phi) : results::biarez(ratio, phi),
+                        1e-4);
     }
 }
 

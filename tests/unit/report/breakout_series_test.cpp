@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-FinishedRun run_of(double n_gamma, double friction_angle,
-                   results::BreakoutKind kind = results::BreakoutKind::zero_slope) {
-    FinishedRun run;
+results::FinishedRun run_of(double n_gamma, double friction_angle,
+                            results::BreakoutKind kind = results::BreakoutKind::zero_slope) {
+    results::FinishedRun run;
     run.summary.n_gamma = n_gamma;
     run.summary.extra = {{"friction_angle_deg", friction_angle},
                          {"breakout_criterion", static_cast<double>(kind)}};

@@ -41,7 +41,7 @@ const packings::PreparedGround& ground() {
     static const packings::PreparedGround prepared = [] {
         const test::Scratch cache;
         setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
-        return prepare_ground(small_scene());
+        return packings::prepare_ground(small_scene());
     }();
     return prepared;
 }
@@ -152,7 +152,7 @@ TEST(HistoryRecorder, StopsAtItsSizeAndSaysSo) {
 TEST(HistoryRecorder, RefusesGroundWithoutGrains) {
     scene::Scene scene = small_scene();
     scene.ground.law = scene::Law::elastic;
-    const packings::PreparedGround elastic = prepare_ground(scene);
+    const packings::PreparedGround elastic = packings::prepare_ground(scene);
     const auto pull = build_pull(scene, elastic);
     const test::Scratch folder;
     EXPECT_THROW(HistoryRecorder(scene, elastic, *pull, folder.path(), false), InputError);
