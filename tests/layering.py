@@ -25,7 +25,7 @@ ARROWS = {
     "mpm": {"base"},
     "stress": {"base"},
     "graph": {"base", "dem", "mpm", "stress"},
-    "scene": {"base", "dem", "graph"},  # its structs are the engine's settings
+    "scene": {"base", "dem", "mpm", "stress", "graph"},  # its structs are the engine's settings
     "io": {"base", "dem", "stress"},
     "packings": {"base", "dem", "stress", "graph", "scene", "io"},
     "laboratory": {"base", "dem", "stress", "graph", "scene", "io", "packings"},

@@ -3,16 +3,20 @@
 namespace sandgraph::dem {
 
 // How an RVE follows its material point: work follows strain, not step count (DESIGN section 4).
-struct RveOptions {
-    double time_step = 1e-5;            // DEM step [s]
+struct RveStepping {
+    double time_step_fraction = 0.85;   // DEM step as a share of the longest stable one
     double inertial_number_max = 2e-3;  // I = rate d sqrt(rho/p)
     double strain_per_step_max = 1e-5;
-    double pressure_floor = 1000;  // below it the inertial limit tightens no further [Pa]
-    int steps_min = 2;             // DEM steps an update at least
-    double stress_per_step_max =
-        0.0075;  // elastic stress change of a step, share of p, up to settle_steps of them
-    int settle_steps = 10;
+    double pressure_floor = 1000;         // p below which the inertial limit tightens no further [Pa]
+    int steps_min = 2;                    // DEM steps of an update at least
+    double stress_per_step_max = 0.0075;  // elastic stress change of a step, share of p, up to settle_steps
+};
+
+// The same with what follows from the grains (rve_options).
+struct RveOptions : RveStepping {
+    double time_step = 1e-5;       // DEM step [s]
     double modulus = 2e7;          // k_n/(2 h) of two mean grains [Pa]: turns strain into elastic stress
+    int settle_steps = 10;         // steps of a short update, which stress_per_step_max bounds
     double float_pressure = 10;    // mean stress taken for none when the packing has opened up [Pa]
     double float_opening = 0.005;  // volume strain beyond the last contact at which a packing floats
 };

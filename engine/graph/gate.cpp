@@ -46,7 +46,7 @@ Verdict judge(const GateView& view, const GateSettings& settings) {
     consider(tension_level(p, settings.tension), Reason::tension);
     consider(rising(view.distance, settings.distance), Reason::distance);
     consider(rising(view.spread, settings.spread), Reason::spread);
-    consider(falling(view.work, settings.work), Reason::second_order_work);
+    consider(falling(view.work, settings.second_order_work), Reason::second_order_work);
     consider(falling(view.acoustic, settings.acoustic), Reason::acoustic_tensor);
     return worst;
 }

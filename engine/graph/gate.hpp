@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/tensor.hpp"
+#include "graph/settings.hpp"
 
 namespace sandgraph::graph {
 
@@ -33,21 +34,6 @@ inline constexpr std::array<const char*, reason_count> reason_names = {"none",
                                                                        "failed answer",
                                                                        "neighbour",
                                                                        "flow"};
-
-// Where a surrogate must not be trusted. A point is handed over where a measure passes its threshold.
-struct GateSettings {
-    bool active = true;          // false: only failed answers are handed over
-    double strain = 0.003;       // deviatoric strain since the start, |ln l1 - ln l2|
-    double stress_ratio = 1;     // q/p, as a share of the packing's peak sin(phi)
-    double tension = 100;        // p below it [Pa]
-    double distance = 0.25;      // of a feature outside the trained range, in widths of that range
-    double spread = 0.5;         // of the ensemble, share of p
-    double work = -0.1;          // second-order work below it, share of the elastic one
-    double acoustic = -1000;     // det of the acoustic tensor below it, share of the elastic one
-    double acoustic_from = 0.9;  // q/p from which the acoustic tensor is looked at, share of sin(phi)
-    double low = 0.5;            // share of a threshold from which the packing is made ready
-    double flow = 0.1;           // deviatoric strain from which the surrogate answers again; 0: never
-};
 
 // What the gate looks at after an answer.
 struct GateView {

@@ -9,18 +9,17 @@
 #include "mpm/order.hpp"
 #include "mpm/plate.hpp"
 #include "mpm/points.hpp"
+#include "mpm/time_step.hpp"
 #include "stress/law.hpp"
 
 namespace sandgraph::graph {
 
-// Settings of a step that stay the same all run long.
+// What stays the same from step to step.
 struct StepSettings {
-    double dt = 0;       // [s]
-    double pic = 0;      // share of PIC in the velocity update
-    double damping = 0;  // local grid damping
-    double mass_scaling = 1;
-    double gravity = 9.81;  // [m/s2], downwards
-    double surcharge = 0;   // [Pa]
+    double dt = 0;  // [s]
+    mpm::Scheme scheme;
+    double gravity = 0;    // [m/s2], downwards
+    double surcharge = 0;  // [Pa]
     mpm::Boundaries boundaries;
 };
 

@@ -32,10 +32,6 @@ double RveLaw::p_wave_modulus() const {
     return out;
 }
 
-VisitSettings RveLawSetup::visits() const {
-    return {update_tolerance, update_change_max, options.pressure_floor};
-}
-
 void RveLaw::update(const stress::Batch& batch) {
     predict(batch);
     route(batch);
@@ -43,14 +39,14 @@ void RveLaw::update(const stress::Batch& batch) {
 }
 
 void RveLaw::predict(const stress::Batch& batch) {
-    const VisitSettings settings = setup_.visits();
+    const double floor = setup_.options.pressure_floor;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batch.points.size(), kPredictGrain),
                       [&](const auto& range) {
                           for (std::size_t k = range.begin(); k < range.end(); ++k) {
                               const std::int32_t p = batch.points[k];
                               const auto row = static_cast<std::size_t>(setup_.row_of_point[p]);
                               visits_.predict(p, setup_.rows[row].moduli, batch.F_inc[p], rves_[p].floating(),
-                                              settings, batch.stress[p]);
+                                              setup_.visits, floor, batch.stress[p]);
                           }
                       });
 }
@@ -96,7 +92,7 @@ void RveLaw::drive_point(std::size_t slot, const stress::Batch& batch) {
     const Stress now = tension_positive(rves_[p].stress());
     const double reference = reference_pressure(now, setup_.options.pressure_floor);
     errors_[slot] = norm(difference(now, batch.stress[p])) / reference;
-    waited_[slot] = visits_.answered(p, reference, errors_[slot], setup_.visits());
+    waited_[slot] = visits_.answered(p, reference, errors_[slot], setup_.visits);
     batch.stress[p] = now;
 }
 

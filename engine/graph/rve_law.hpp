@@ -22,9 +22,7 @@ struct RveLawSetup {
     dem::RveOptions options;
     std::vector<RowPacking> rows;
     std::vector<std::int32_t> row_of_point;  // [points]
-    double update_tolerance = 0.0025;        // error of the predicted stress aimed at, as a share of p
-    double update_change_max = 0.05;  // largest predicted stress change between two DEM updates, share of p
-    VisitSettings visits() const;
+    VisitSettings visits = {};
 };
 
 // StateError when the archive is of a run that started from other packings: another machine's rounding, or

@@ -23,21 +23,10 @@ enum class PointMode : std::uint8_t {
     flow,       // the surrogate again, past the strain where sand flows; it has followed the grains
 };
 
-struct HandOverSettings {
-    int dilate = 1;            // cells around a point past the gate that are handed over with it
-    int blend_steps = 200;     // steps over which the jump fades
-    int replay_steps = 50;     // DEM steps a packing catches up by at each step
-    double path_error = 0.02;  // of the recorded strain path, as an elastic stress, share of p
-};
-
-struct ScreeningSetup {
+struct ScreeningSetup : ScreeningSettings {
     RveLawSetup grains;
     std::shared_ptr<const stress::Surrogate> surrogate;
     std::vector<stress::PackingTraits> traits;  // of each row's packing
-    VisitSettings visits{0.01, 0.05};           // of the surrogate
-    GateSettings gate;
-    HandOverSettings hand_over;
-    AuditSettings audit;
 };
 
 // One point handed from the surrogate to its grains, or back (Reason::flow).

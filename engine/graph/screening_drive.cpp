@@ -60,11 +60,10 @@ void ScreeningLaw::drive(const stress::Batch& batch) {
 
 // What the surrogate reads while the packings are driven is settled after both.
 void ScreeningLaw::settle_grains() {
-    const VisitSettings settings = setup_.grains.visits();
     for (std::size_t slot = 0; slot < jobs_.size(); ++slot) {
         Outcome& out = outcomes_[slot];
         if (jobs_[slot].task == Task::answer)
-            out.waited = visits_.answered(jobs_[slot].point, out.reference, out.error, settings);
+            out.waited = visits_.answered(jobs_[slot].point, out.reference, out.error, setup_.grains.visits);
         count(jobs_[slot], out);
     }
 }
@@ -117,7 +116,7 @@ ScreeningLaw::Outcome ScreeningLaw::answer(std::int32_t p, const stress::Batch& 
     Stress now = by_grains;
     if (mode_[p] == PointMode::blending) blend_[p] = bearable(by_grains, blend_[p]);
     add(now, blend_[p]);
-    out.reference = reference_pressure(by_grains, setup_.grains.visits().pressure_floor);
+    out.reference = reference_pressure(by_grains, setup_.grains.options.pressure_floor);
     out.error = norm(difference(now, batch.stress[p])) / out.reference;
     batch.stress[p] = now;
     return out;

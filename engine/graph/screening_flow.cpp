@@ -40,7 +40,7 @@ void ScreeningLaw::hand_back(const stress::Batch& batch, double d_over_B) {
         const Stress jump = difference(batch.stress[p], follower_answers_[slot].stress);
         start_fading(p, PointMode::flow, jump);
         --dem_points_;
-        const double reference = reference_pressure(batch.stress[p], setup_.grains.visits().pressure_floor);
+        const double reference = reference_pressure(batch.stress[p], setup_.grains.options.pressure_floor);
         note({screening_.steps, d_over_B, p, Reason::flow, norm(jump) / reference});
         // Its audit goes on with the grains that have answered till now, whose stress it still has.
         if (const std::int32_t place = audit_of_[p]; place >= 0)

@@ -40,7 +40,7 @@ void ScreeningLaw::settle_answer(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = asked_[slot];
     const stress::SurrogateAnswer& a = answers_[slot];
     Stress& s = batch.stress[p];
-    const double floor = setup_.visits.pressure_floor;
+    const double floor = setup_.grains.options.pressure_floor;
     if (visits_.collected(p).allFinite()) F_[p] = visits_.collected(p) * F_[p];
     if (mode_[p] < PointMode::shadow && !caught_up_[p]) paths_[p].add(F_[p]);
     // A jump that fades lies on top of what the surrogate was predicted to answer.
@@ -63,7 +63,7 @@ void ScreeningLaw::settle_answer(std::size_t slot, const stress::Batch& batch) {
 
 bool ScreeningLaw::absurd(const stress::SurrogateAnswer& a, std::int32_t p, const Stress& predicted) const {
     const double allowed = kAbsurdChange * norm(visits_.change(p)) +
-                           kAbsurdShare * reference_pressure(predicted, setup_.visits.pressure_floor);
+                           kAbsurdShare * reference_pressure(predicted, setup_.grains.options.pressure_floor);
     return !finite(a) || norm(difference(a.stress, predicted)) > allowed;
 }
 

@@ -14,7 +14,7 @@ void ScreeningLaw::hand_over(const stress::Batch& batch, const Surroundings& aro
     settle_grains();
     fade(batch, around);
     settle_answers(batch);
-    felt_.after(batch.stress, setup_.grains.visits().pressure_floor, switches_);
+    felt_.after(batch.stress, setup_.grains.options.pressure_floor, switches_);
     settle_replays();
     raise(around);
     replace_failed();
@@ -93,7 +93,7 @@ void ScreeningLaw::switch_point(std::int32_t p, const stress::Batch& batch, doub
     const Stress now = tension_positive(rves_[p].stress());
     start_fading(p, PointMode::blending, difference(batch.stress[p], now));
     ++dem_points_;
-    const double jump = norm(blend_[p]) / reference_pressure(now, setup_.grains.visits().pressure_floor);
+    const double jump = norm(blend_[p]) / reference_pressure(now, setup_.grains.options.pressure_floor);
     note({screening_.steps, d_over_B, p, reason_[p], jump});
 }
 

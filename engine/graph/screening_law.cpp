@@ -71,21 +71,20 @@ void ScreeningLaw::update(const stress::Batch& batch) {
 }
 
 void ScreeningLaw::predict(const stress::Batch& batch) {
-    const VisitSettings of_grains = setup_.grains.visits();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batch.points.size(), kPredictGrain),
                       [&](const auto& range) {
                           for (std::size_t k = range.begin(); k < range.end(); ++k)
-                              predict_point(batch.points[k], batch, of_grains);
+                              predict_point(batch.points[k], batch);
                       });
 }
 
-void ScreeningLaw::predict_point(std::int32_t point, const stress::Batch& batch,
-                                 const VisitSettings& of_grains) {
+void ScreeningLaw::predict_point(std::int32_t point, const stress::Batch& batch) {
     const bool grains = by_grains(static_cast<std::size_t>(point));
     const Mat2& F_inc = batch.F_inc[point];
     felt_.before(point, batch.stress[point]);
     visits_.predict(point, row(point).moduli, F_inc, grains && rves_[point].floating(),
-                    grains ? of_grains : setup_.visits, batch.stress[point]);
+                    grains ? setup_.grains.visits : setup_.visits, setup_.grains.options.pressure_floor,
+                    batch.stress[point]);
     if (fade_left_[point] > 0) turn(blend_[point], F_inc);
 }
 

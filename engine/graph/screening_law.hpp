@@ -69,7 +69,7 @@ class ScreeningLaw : public stress::Law {
     void require_sound() const;
     const RowPacking& row(std::int32_t point) const;
     const stress::PackingTraits& traits(std::int32_t point) const;
-    void predict_point(std::int32_t point, const stress::Batch& batch, const VisitSettings& of_grains);
+    void predict_point(std::int32_t point, const stress::Batch& batch);
     void add_visit(std::int32_t point);
     void add_job(std::int32_t point, Task task, const dem::Rve& rve, double strain);
     dem::RveReport advance(dem::Rve& rve, const Mat2& F_inc);

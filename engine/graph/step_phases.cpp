@@ -24,14 +24,16 @@ void load_grid(GroundState& s) {
 
 void move_grid(GroundState& s) {
     const StepSettings& set = s.settings;
-    mpm::update_grid({set.dt, Vec2(0, -set.gravity), set.damping, set.mass_scaling, set.boundaries}, s.grid);
+    mpm::update_grid(
+        {set.dt, Vec2(0, -set.gravity), set.scheme.damping, set.scheme.mass_scaling, set.boundaries}, s.grid);
     if (!s.has_plate) return;
     mpm::advance_slip(s.plate, s.grid, set.dt, s.contact);
     mpm::advance(s.plate, set.dt);
 }
 
 void gather_points(GroundState& s) {
-    s.status = mpm::grid_to_points(s.grid, {s.settings.dt, s.settings.pic}, s.order, s.points);
+    s.status =
+        mpm::grid_to_points(s.grid, {s.settings.dt, s.settings.scheme.pic_fraction}, s.order, s.points);
     s.work_before = mpm::stress_work(s.points);
 }
 

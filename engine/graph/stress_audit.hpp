@@ -3,13 +3,9 @@
 #include <span>
 #include <vector>
 
-namespace sandgraph::graph {
+#include "graph/settings.hpp"
 
-struct AuditSettings {
-    double share = 0.01;  // of the points, drawn at random
-    std::uint64_t seed = 1;
-    double every = 0.01;  // d/B between two audits
-};
+namespace sandgraph::graph {
 
 // An error counts as 1 at most: a stress off by all of p or more is wholly wrong.
 inline constexpr double audit_cap = 1;

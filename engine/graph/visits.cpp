@@ -10,8 +10,9 @@ namespace {
 
 // Step-size control as for an ODE: the prediction's error grows about with the square of the change.
 double next_allowance(double change, double error, const VisitSettings& settings) {
-    const double factor = std::clamp(0.9 * std::sqrt(settings.tolerance / std::max(error, 1e-12)), 0.25, 2.0);
-    return std::clamp(change * factor, 0.5 * settings.tolerance, settings.change_max);
+    const double factor =
+        std::clamp(0.9 * std::sqrt(settings.update_tolerance / std::max(error, 1e-12)), 0.25, 2.0);
+    return std::clamp(change * factor, 0.5 * settings.update_tolerance, settings.update_change_max);
 }
 
 }  // namespace

@@ -5,16 +5,10 @@
 
 #include "base/byte_stream.hpp"
 #include "graph/plane_moduli.hpp"
+#include "graph/settings.hpp"
 #include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {
-
-// How true the stress between two answers of a point's law shall be.
-struct VisitSettings {
-    double tolerance = 0.005;      // error of the predicted stress aimed at, share of p
-    double change_max = 0.05;      // largest predicted stress change between two answers, share of p
-    double pressure_floor = 1000;  // p below which shares are of this [Pa]
-};
 
 // max(p, floor) [Pa].
 inline double reference_pressure(const Stress& s, double floor) { return std::max(mean_stress(s), floor); }
@@ -27,9 +21,9 @@ class Visits {
     explicit Visits(std::size_t points);
 
     // The step's increment: collects it, moves the stress `s` (unless the point floats), and notes whether
-    // the law is due.
+    // the law is due. Shares are of p, at least `floor` [Pa].
     void predict(std::int32_t point, const PlaneModuli& moduli, const Mat2& F_inc, bool floating,
-                 const VisitSettings& settings, Stress& s);
+                 const VisitSettings& settings, double floor, Stress& s);
     std::size_t size() const { return collected_.size(); }
     bool due(std::int32_t point) const { return due_[static_cast<std::size_t>(point)]; }
     const Mat2& collected(std::size_t point) const { return collected_[point]; }  // since the last answer
@@ -52,16 +46,16 @@ class Visits {
 
 // Here to be inlined: it runs for every point at every step.
 inline void Visits::predict(std::int32_t point, const PlaneModuli& moduli, const Mat2& F_inc, bool floating,
-                            const VisitSettings& settings, Stress& s) {
+                            const VisitSettings& settings, double floor, Stress& s) {
     const auto p = static_cast<std::size_t>(point);
     const Stress d = elastic_change(moduli, F_inc);
     collected_[p] = F_inc * collected_[p];
     Stress& change = change_[p];
     add(change, d);
     if (!floating) turn(s, F_inc), add(s, d);
-    const double allowance = allowance_[p] > 0 ? allowance_[p] : settings.tolerance;
+    const double allowance = allowance_[p] > 0 ? allowance_[p] : settings.update_tolerance;
     // Not `change >= allowed`: a NaN must reach the law, which refuses it by name.
-    due_[p] = !(norm(change) < allowance * reference_pressure(s, settings.pressure_floor));
+    due_[p] = !(norm(change) < allowance * reference_pressure(s, floor));
     if (!due_[p]) waited_[p] = 1;
 }
 

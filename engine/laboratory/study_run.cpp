@@ -10,13 +10,12 @@ StudySample study_sample(const scene::Grains& grains, double pressure) {
 }
 
 StudyRun run_history(const StudySample& sample, const StrainHistory& history,
-                     const scene::RveStepping& stepping) {
+                     const graph::RveSettings& stepping) {
     graph::RveLaw law({sample.material,
                        packings::rve_options(stepping, sample.material, sample.row.packing->grains->radius),
                        {sample.row},
                        {0},
-                       stepping.update_tolerance,
-                       stepping.update_change_max});
+                       stepping});
     std::vector<std::int32_t> point{0};
     std::vector<Mat2> F_inc{Mat2::Identity()};
     std::vector<Stress> stress(1);

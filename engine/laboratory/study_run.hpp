@@ -27,6 +27,6 @@ struct StudyRun {
 
 // One point behind graph::RveLaw, as a run drives it: skipping, allowance and substepping take part.
 StudyRun run_history(const StudySample& sample, const StrainHistory& history,
-                     const scene::RveStepping& stepping);
+                     const graph::RveSettings& stepping);
 
 }  // namespace sandgraph::laboratory

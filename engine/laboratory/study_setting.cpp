@@ -3,42 +3,42 @@
 namespace sandgraph::laboratory {
 namespace {
 
-using scene::RveStepping;
+using graph::RveSettings;
 
 struct Axis {
     const char* key;
-    void (*set)(RveStepping&, double);
+    void (*set)(RveSettings&, double);
     std::vector<double> near, far;  // values beside the default, and further ones
 };
 
 std::vector<Axis> axes() {
     return {
         {"inertial_number_max",
-         [](RveStepping& s, double v) { s.inertial_number_max = v; },
+         [](RveSettings& s, double v) { s.inertial_number_max = v; },
          {1e-3, 4e-3},
          {5e-4, 8e-3}},
         {"strain_per_step_max",
-         [](RveStepping& s, double v) { s.strain_per_step_max = v; },
+         [](RveSettings& s, double v) { s.strain_per_step_max = v; },
          {5e-6, 2e-5},
          {2.5e-6, 4e-5}},
         {"update_tolerance",
-         [](RveStepping& s, double v) { s.update_tolerance = v; },
+         [](RveSettings& s, double v) { s.update_tolerance = v; },
          {0.00125, 0.005},
          {0, 0.000625, 0.01}},
         {"update_change_max",
-         [](RveStepping& s, double v) { s.update_change_max = v; },
+         [](RveSettings& s, double v) { s.update_change_max = v; },
          {0.025, 0.1},
          {0.0125, 0.2}},
-        {"steps_min", [](RveStepping& s, double v) { s.steps_min = static_cast<int>(v); }, {1, 5}, {10, 20}},
+        {"steps_min", [](RveSettings& s, double v) { s.steps_min = static_cast<int>(v); }, {1, 5}, {10, 20}},
         {"stress_per_step_max",
-         [](RveStepping& s, double v) { s.stress_per_step_max = v; },
+         [](RveSettings& s, double v) { s.stress_per_step_max = v; },
          {0.005, 0.015},
          {0.0025, 1e6}},
         {"time_step_fraction",
-         [](RveStepping& s, double v) { s.time_step_fraction = v; },
+         [](RveSettings& s, double v) { s.time_step_fraction = v; },
          {0.4, 1},
          {0.1, 0.2, 0.6}},
-        {"pressure_floor", [](RveStepping& s, double v) { s.pressure_floor = v; }, {300, 3000}, {100, 30}}};
+        {"pressure_floor", [](RveSettings& s, double v) { s.pressure_floor = v; }, {300, 3000}, {100, 30}}};
 }
 
 void vary(const Axis& axis, const std::vector<double>& values, std::vector<StudySetting>& out) {
@@ -54,7 +54,7 @@ std::vector<StudySetting> tighter() {
     std::vector<StudySetting> out;
     const auto add = [&](double tolerance, double inertial, double strain) {
         out.push_back({"tighter", static_cast<double>(out.size() + 1), {}});
-        scene::RveStepping& s = out.back().stepping;
+        graph::RveSettings& s = out.back().stepping;
         s.update_tolerance = tolerance, s.inertial_number_max = inertial, s.strain_per_step_max = strain;
     };
     add(0.00125, 1e-3, 1e-5);
@@ -65,22 +65,22 @@ std::vector<StudySetting> tighter() {
 
 }  // namespace
 
-RveStepping reference_stepping() {
-    RveStepping s;
+RveSettings reference_stepping() {
+    RveSettings s;
     s.update_tolerance = 0, s.strain_per_step_max = 1e-6, s.inertial_number_max = 2e-4;
     s.time_step_fraction = 0.2;
     return s;
 }
 
-RveStepping twin_stepping() {
-    RveStepping s = reference_stepping();
+RveSettings twin_stepping() {
+    RveSettings s = reference_stepping();
     s.strain_per_step_max = 1.5e-6, s.inertial_number_max = 3e-4;
     return s;
 }
 
-RveStepping peers_stepping() {
+RveSettings peers_stepping() {
     constexpr double no_limit = 1e6;
-    RveStepping s;
+    RveSettings s;
     s.update_tolerance = 0, s.strain_per_step_max = 1e-5, s.inertial_number_max = no_limit;
     s.stress_per_step_max = no_limit;
     s.steps_min = 2;

@@ -26,15 +26,10 @@ double preparation_time_step(const dem::Material& material, std::span<const doub
     return std::min(usual, share * critical_time_step(material, radii));
 }
 
-dem::RveOptions rve_options(const scene::RveStepping& stepping, const dem::Material& material,
+dem::RveOptions rve_options(const dem::RveStepping& stepping, const dem::Material& material,
                             std::span<const double> radii) {
-    dem::RveOptions options;
+    dem::RveOptions options{stepping};
     options.time_step = stepping.time_step_fraction * critical_time_step(material, radii);
-    options.inertial_number_max = stepping.inertial_number_max;
-    options.strain_per_step_max = stepping.strain_per_step_max;
-    options.pressure_floor = stepping.pressure_floor;
-    options.steps_min = stepping.steps_min;
-    options.stress_per_step_max = stepping.stress_per_step_max;
     options.modulus = dem::typical_modulus(radii, material);
     return options;
 }

@@ -15,7 +15,7 @@ double critical_time_step(const dem::Material& material, std::span<const double>
 // lighter grains.
 double preparation_time_step(const dem::Material& material, std::span<const double> radii);
 
-dem::RveOptions rve_options(const scene::RveStepping& stepping, const dem::Material& material,
+dem::RveOptions rve_options(const dem::RveStepping& stepping, const dem::Material& material,
                             std::span<const double> radii);
 
 }  // namespace sandgraph::packings

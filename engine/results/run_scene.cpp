@@ -36,8 +36,7 @@ packings::PreparedGround prepare(const scene::Scene& scene) {
     StageProgress progress;
     // A surrogate that cannot be used is refused before the packings are made.
     std::shared_ptr<const stress::Surrogate> surrogate;
-    if (scene.mode == scene::Mode::screening)
-        surrogate = surrogate::load_surrogate(scene.screening.surrogate.model);
+    if (scene.mode == scene::Mode::screening) surrogate = surrogate::load_surrogate(scene.screening.model);
     packings::PreparedGround ground = packings::prepare_ground(scene, progress.callback());
     ground.surrogate = std::move(surrogate);
     return ground;

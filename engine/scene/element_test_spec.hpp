@@ -25,7 +25,7 @@ struct ElementTestSpec {
     double time_step = 1e-5;  // [s]
     int relax_steps = 2000;   // at L = 0, before the test, not counted in it
     dem::Material material;
-    RveStepping rve;  // mode = fast
+    graph::RveSettings rve;  // mode = fast
 
     int sample_every = 500;               // path: steps between rows
     std::vector<StrainSegment> segments;  // path

@@ -75,7 +75,7 @@ void add_grain_keys(KeyTable& keys, Grains& g) {
     add_material_keys(keys, g.material);
 }
 
-void add_stepping_keys(KeyTable& keys, RveStepping& r) {
+void add_stepping_keys(KeyTable& keys, graph::RveSettings& r) {
     auto rve = keys.section("rve");
     rve.real("time_step_fraction", r.time_step_fraction, "", above_up_to(0, 1),
              "DEM time step as a share of the longest stable one");

@@ -18,7 +18,7 @@ std::string density_name(double porosity);
 void add_grain_keys(KeyTable& keys, Grains& grains);
 
 // How packings follow strain, [rve].
-void add_stepping_keys(KeyTable& keys, RveStepping& rve);
+void add_stepping_keys(KeyTable& keys, graph::RveSettings& rve);
 
 // After reading: fills in what density = "dense" or "loose" stands for, and checks the grains as a whole.
 void complete_grains(const KeyTable& keys, Grains& grains);

@@ -37,7 +37,7 @@ struct ProbeSpec {
     ProbePackings packings;
     ProbePaths paths;
     Grains grains;  // without density, porosity, seed: [packings] has them
-    RveStepping rve;
+    graph::RveSettings rve;
 };
 
 // The keys of a probe recipe, filling `probe`, which must outlive the table.

@@ -8,8 +8,9 @@
 
 #include "base/error.hpp"
 #include "dem/material.hpp"
+#include "graph/settings.hpp"
+#include "mpm/time_step.hpp"
 #include "scene/region_spec.hpp"
-#include "scene/screening_spec.hpp"
 
 namespace sandgraph::scene {
 
@@ -51,18 +52,6 @@ struct Grains {
     std::string packing;  // file (.csv or .h5) to start from instead of the recipe; "" = recipe
 };
 
-// How an RVE follows its point (DESIGN section 4, "work follows strain").
-struct RveStepping {
-    double time_step_fraction = 0.85;  // DEM dt as a share of the longest stable one
-    double inertial_number_max = 2e-3;
-    double strain_per_step_max = 1e-5;
-    double pressure_floor = 1000;         // p below which the inertial limit no longer tightens [Pa]
-    double update_tolerance = 0.0025;     // error of the stress predicted between two DEM updates, share of p
-    double update_change_max = 0.05;      // largest predicted stress change between two, share of p
-    int steps_min = 2;                    // DEM steps an update at least
-    double stress_per_step_max = 0.0075;  // elastic stress change of a step of a short update, share of p
-};
-
 // Closed-form laws (law = "elastic" | "mohr_coulomb").
 struct Continuum {
     double young = 20e6, poisson = 0.3;  // [Pa], -
@@ -76,16 +65,12 @@ struct Ground {
     double surcharge = 0;  // on the free surface [Pa]
     double gravity = 9.81;
     Grains grains;
-    RveStepping rve;
+    graph::RveSettings rve;
     Continuum continuum;
 };
 
-struct Mpm {
-    double courant = 0.3;
-    double damping = 0.05;         // local (non-viscous) grid damping
-    double pic_fraction = 0.01;    // share of PIC in the velocity update, the rest FLIP
-    double mass_scaling = 1;       // inertia multiplied, gravity kept
-    double contact_stiffness = 1;  // plate-soil penalty, in units of M/cell (M: P-wave modulus)
+struct Screening : graph::ScreeningSettings {
+    std::string model;  // the surrogate's weights file; "": the one shipped for the paper's packings
 };
 
 struct Output {
@@ -106,7 +91,7 @@ struct Scene {
     Domain domain;
     Anchor anchor;
     Ground ground;
-    Mpm mpm;
+    mpm::Scheme mpm;
     Screening screening;
     Output output;
     std::vector<Region> regions;

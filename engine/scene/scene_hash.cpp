@@ -16,7 +16,7 @@ std::string canonical_text(const Scene& scene) {
         if (key.in_hash) text += fmt::format("{}={}\n", key.full_name(), key.value->canonical());
     const std::string& packing = scene.ground.grains.packing;
     if (!packing.empty()) text += fmt::format("packing={}\n", hex(hash64(read_text(packing))));
-    const std::string& model = scene.screening.surrogate.model;
+    const std::string& model = scene.screening.model;
     if (scene.mode == Mode::screening && !model.empty())
         text += fmt::format("surrogate={}\n", hex(hash64(read_text(model))));
     return text;

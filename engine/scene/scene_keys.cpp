@@ -63,7 +63,7 @@ void add_continuum_keys(KeyTable& keys, Continuum& c) {
     law.real("density", c.density, "kg/m3", above(0), "bulk density");
 }
 
-void add_mpm_keys(KeyTable& keys, Mpm& m) {
+void add_mpm_keys(KeyTable& keys, mpm::Scheme& m) {
     auto mpm = keys.section("mpm");
     mpm.real("courant", m.courant, "", above_up_to(0, 1),
              "time step times c/cell, c: P-wave speed; at most 0.45/sqrt(1 + contact_stiffness) is taken");

@@ -3,22 +3,22 @@
 namespace sandgraph::scene {
 namespace {
 
-void add_surrogate_keys(KeyTable& keys, SurrogateChoice& s, bool in_use) {
+void add_surrogate_keys(KeyTable& keys, Screening& s, bool in_use) {
     auto surrogate = keys.section("surrogate");
     // The hash takes the file's contents, not its name.
     surrogate.input_file("model", s.model, "trained weights (.h5); default: the shipped table1.surrogate.h5")
         .in_hash = false;
     surrogate
-        .real("update_tolerance", s.update_tolerance, "", at_least(0),
+        .real("update_tolerance", s.visits.update_tolerance, "", at_least(0),
               "error aimed at of the stress predicted between answers, share of p")
         .in_hash = in_use;
     surrogate
-        .real("update_change_max", s.update_change_max, "", at_least(0),
+        .real("update_change_max", s.visits.update_change_max, "", at_least(0),
               "largest predicted stress change between answers, share of p")
         .in_hash = in_use;
 }
 
-void add_gate_keys(KeyTable& keys, Gate& g, bool in_use) {
+void add_gate_keys(KeyTable& keys, graph::GateSettings& g, graph::HandOverSettings& h, bool in_use) {
     auto gate = keys.section("gate");
     const auto real = [&](const char* name, double& value, const char* unit, Range range, const char* text) {
         gate.real(name, value, unit, range, text).in_hash = in_use;
@@ -45,14 +45,14 @@ void add_gate_keys(KeyTable& keys, Gate& g, bool in_use) {
     real("flow", g.flow, "", at_least(0),
          "deviatoric strain past which sand flows and the surrogate answers again; 0: never, grains to the "
          "end");
-    whole("dilate", g.dilate, 0, "cells around a point past the gate that are handed over with it");
-    whole("blend_steps", g.blend_steps, 1, "steps over which the stress jump of a hand-over fades");
-    whole("replay_steps", g.replay_steps, 1, "DEM steps by which a packing catches up at each step");
-    real("path_error", g.path_error, "", above(0),
+    whole("dilate", h.dilate, 0, "cells around a point past the gate that are handed over with it");
+    whole("blend_steps", h.blend_steps, 1, "steps over which the stress jump of a hand-over fades");
+    whole("replay_steps", h.replay_steps, 1, "DEM steps by which a packing catches up at each step");
+    real("path_error", h.path_error, "", above(0),
          "of the recorded strain path, as an elastic stress, share of p");
 }
 
-void add_audit_keys(KeyTable& keys, Audit& a, bool in_use) {
+void add_audit_keys(KeyTable& keys, graph::AuditSettings& a, bool in_use) {
     auto audit = keys.section("audit");
     // No audit changes what the ground does, but the checkpoint must hold the same packings.
     audit
@@ -66,8 +66,8 @@ void add_audit_keys(KeyTable& keys, Audit& a, bool in_use) {
 }  // namespace
 
 void add_screening_keys(KeyTable& keys, Screening& screening, bool in_use) {
-    add_surrogate_keys(keys, screening.surrogate, in_use);
-    add_gate_keys(keys, screening.gate, in_use);
+    add_surrogate_keys(keys, screening, in_use);
+    add_gate_keys(keys, screening.gate, screening.hand_over, in_use);
     add_audit_keys(keys, screening.audit, in_use);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "scene/key_table.hpp"
-#include "scene/screening_spec.hpp"
+#include "scene/scene.hpp"
 
 namespace sandgraph::scene {
 

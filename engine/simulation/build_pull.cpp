@@ -63,9 +63,7 @@ std::unique_ptr<stress::Law> law_of(const scene::Scene& scene, const packings::P
     if (g.law == scene::Law::rve) {
         const std::vector<double>& radii = ground.rows.front().packing->grains->radius;
         graph::RveLawSetup setup{g.grains.material, packings::rve_options(g.rve, g.grains.material, radii),
-                                 ground.rows, points.row};
-        setup.update_tolerance = g.rve.update_tolerance;
-        setup.update_change_max = g.rve.update_change_max;
+                                 ground.rows, points.row, g.rve};
         if (scene.mode == scene::Mode::screening) return screening_law(scene, ground, std::move(setup));
         return std::make_unique<graph::RveLaw>(std::move(setup));
     }
@@ -87,11 +85,8 @@ std::unique_ptr<stress::Law> law_of(const scene::Scene& scene, const packings::P
 graph::StepSettings settings_of(const scene::Scene& scene, const packings::PreparedGround& ground,
                                 double modulus) {
     graph::StepSettings s;
-    s.dt = mpm::time_step({scene.mpm.courant, scene.domain.cell, modulus, ground.density,
-                           scene.mpm.mass_scaling, scene.mpm.contact_stiffness});
-    s.pic = scene.mpm.pic_fraction;
-    s.damping = scene.mpm.damping;
-    s.mass_scaling = scene.mpm.mass_scaling;
+    s.dt = mpm::time_step(scene.mpm, {scene.domain.cell, modulus, ground.density});
+    s.scheme = scene.mpm;
     s.gravity = scene.ground.gravity;
     s.surcharge = scene.ground.surcharge;
     s.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};

@@ -18,18 +18,10 @@ fs::path found_above(fs::path folder, const char* name) {
     }
 }
 
-graph::GateSettings gate_of(const scene::Gate& g) {
-    graph::GateSettings out;
-    out.active = g.active, out.strain = g.strain, out.stress_ratio = g.stress_ratio, out.tension = g.tension;
-    out.distance = g.distance, out.spread = g.spread, out.work = g.second_order_work;
-    out.acoustic = g.acoustic, out.acoustic_from = g.acoustic_from, out.low = g.low, out.flow = g.flow;
-    return out;
-}
-
 }  // namespace
 
 fs::path model_file(const scene::Scene& scene) {
-    if (!scene.screening.surrogate.model.empty()) return scene.screening.surrogate.model;
+    if (!scene.screening.model.empty()) return scene.screening.model;
     std::error_code unknown;
     const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
     for (const fs::path& from : {fs::absolute(scene.file).lexically_normal(), program})
@@ -41,17 +33,8 @@ fs::path model_file(const scene::Scene& scene) {
 
 std::unique_ptr<stress::Law> screening_law(const scene::Scene& scene, const packings::PreparedGround& ground,
                                            graph::RveLawSetup grains) {
-    const scene::Screening& s = scene.screening;
-    graph::ScreeningSetup setup;
-    setup.grains = std::move(grains);
-    setup.surrogate = ground.surrogate;
-    setup.traits = ground.traits;
-    setup.visits = {s.surrogate.update_tolerance, s.surrogate.update_change_max,
-                    setup.grains.options.pressure_floor};
-    setup.gate = gate_of(s.gate);
-    setup.hand_over = {s.gate.dilate, s.gate.blend_steps, s.gate.replay_steps, s.gate.path_error};
-    setup.audit = {s.audit.share, s.audit.seed, s.audit.every};
-    return std::make_unique<graph::ScreeningLaw>(std::move(setup));
+    return std::make_unique<graph::ScreeningLaw>(
+        graph::ScreeningSetup{scene.screening, std::move(grains), ground.surrogate, ground.traits});
 }
 
 io::ScreeningRecord screening_record(const stress::Law& law) {

@@ -34,7 +34,7 @@ io::LoadRow LoadRecorder::row(const graph::Pull& pull, double load) const {
     io::LoadRow out;
     out.d_over_B = d_ / steps_, out.load = load, out.time = pull.time();
     out.top = leading_ / steps_, out.bottom = trailing_ / steps_;
-    out.kinetic_energy = factor_ * mpm::kinetic_energy(s.points, s.settings.mass_scaling);
+    out.kinetic_energy = factor_ * mpm::kinetic_energy(s.points, s.settings.scheme.mass_scaling);
     out.strain_work = factor_ * s.stress_work;
     out.plate_work = plate_work_;
     const GrainUse grains = grain_use(*s.law);

@@ -35,7 +35,7 @@ scene::Scene scene_of(const RunRequest& a) {
             throw InputError(a.mode.empty() ? scene.where("mode") : InputError::Where{"--mode"},
                              "mode = \"screening\" of a closed-form law",
                              "a surrogate stands in for packings of grains", "write ground.law = \"rve\"");
-        scene.screening.surrogate.model = model_file(scene).string();
+        scene.screening.model = model_file(scene).string();
     }
     if (!scene.anchor.present)
         throw InputError(scene.where("anchor.present"), "anchor.present = false", "`run` pulls an anchor",

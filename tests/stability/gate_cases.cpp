@@ -18,7 +18,8 @@ GroundSpec ground_spec(Effort effort) { return plate_in_ground(effort, 1); }
 
 // A gate that nothing passes but a large spread and a singular acoustic tensor.
 void only_spread(graph::ScreeningSetup& setup) {
-    setup.gate = {.strain = 1e9, .stress_ratio = 1e9, .tension = 0, .distance = 1e9, .work = -1e9};
+    setup.gate = {
+        .strain = 1e9, .stress_ratio = 1e9, .tension = 0, .distance = 1e9, .second_order_work = -1e9};
     setup.hand_over.dilate = 0;
 }
 
@@ -77,7 +78,7 @@ void all_at_once(Effort effort, Findings& found) {
     spec.screening = [](graph::ScreeningSetup& setup) {
         setup.gate.strain = 1e-9, setup.gate.flow = 0, setup.hand_over.dilate = 1000,
         setup.hand_over.replay_steps = 100'000;
-        setup.visits.tolerance = 1e-9, setup.visits.change_max = 1e-9;
+        setup.visits.update_tolerance = 1e-9, setup.visits.update_change_max = 1e-9;
     };
     Ground ground(spec);
     const Ride r = pull(ground, rate(effort), kDistance);

@@ -93,9 +93,9 @@ Ground::Ground(const GroundSpec& spec) {
                             : law_of(spec, packings, grains_of(spec, packings, recipe, points, density_));
     const double modulus = law->p_wave_modulus();
     graph::StepSettings settings;
-    settings.dt = spec.plate ? mpm::time_step({spec.courant, spec.cell, modulus, density_, 1, 1})
+    settings.dt = spec.plate ? mpm::time_step({.courant = spec.courant}, {spec.cell, modulus, density_})
                              : spec.courant * spec.cell * std::sqrt(density_ / modulus);
-    settings.pic = 0.01, settings.damping = spec.damping, settings.gravity = gravity;
+    settings.scheme.damping = spec.damping, settings.gravity = gravity;
     settings.surcharge = spec.surcharge, settings.boundaries = spec.boundaries;
     state_ = std::make_unique<graph::GroundState>(settings, std::move(points), grid_of(spec));
     if (spec.plate) state_->has_plate = true, state_->plate = plate_of(spec, modulus, density_);

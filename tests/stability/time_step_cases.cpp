@@ -18,7 +18,7 @@ double growth(double courant, int steps, int grains) {
     spec.soil = {0, 0, 0.8, 2};
     spec.grains = grains, spec.courant = courant, spec.damping = 0;
     Ground ground(spec);
-    ground.state().settings.pic = 0;
+    ground.state().settings.scheme.pic_fraction = 0;
     Random random(7);
     mpm::Points& points = ground.points();
     for (std::size_t p = 0; p < points.size(); ++p)

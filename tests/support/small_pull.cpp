@@ -77,8 +77,8 @@ std::unique_ptr<graph::Pull> pull_with(MakeLaw make_law) {
     auto law = make_law(points);
     const double modulus = law->p_wave_modulus();
     graph::StepSettings settings;
-    settings.dt = mpm::time_step({0.3, kCell, modulus, 2230, 1, 1});
-    settings.pic = 0.01, settings.damping = 0.05, settings.gravity = kGravity;
+    settings.dt = mpm::time_step(settings.scheme, {kCell, modulus, 2230});
+    settings.gravity = kGravity;
     settings.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
     auto state =
         std::make_unique<graph::GroundState>(settings, std::move(points), mpm::GridShape{0, 0, kCell, 8, 14});

@@ -55,7 +55,7 @@ support::MacroModel ground_with_plate(const Setting& s) {
     model.update.damping = 0.05;
     model.advance.pic = 0.01;
     model.update.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
-    model.set_time_step(mpm::time_step({0.3, cell, M, density, 1, 1}));
+    model.set_time_step(mpm::time_step({}, {cell, M, density}));
     model.start();
     return model;
 }

@@ -53,7 +53,7 @@ TEST(Gate, EachMeasurePassesAtItsThreshold) {
     EXPECT_GE(judge(tension, set).level, 1);
     distance.distance = set.distance;
     EXPECT_EQ(judge(distance, set).reason, Reason::distance);
-    work.work = set.work;
+    work.work = set.second_order_work;
     EXPECT_DOUBLE_EQ(judge(work, set).level, 1);
     acoustic.acoustic = set.acoustic;
     EXPECT_DOUBLE_EQ(judge(acoustic, set).level, 1);

@@ -14,7 +14,7 @@ inline ScreeningSetup setup_of(std::size_t points, double strain) {
     s.traits = {support::public_traits()};
     s.gate.strain = strain;
     s.gate.stress_ratio = s.gate.spread = s.gate.distance = 1e9;
-    s.gate.work = s.gate.acoustic = -1e9;
+    s.gate.second_order_work = s.gate.acoustic = -1e9;
     s.audit.share = 0;
     s.hand_over.blend_steps = 40;
     return s;

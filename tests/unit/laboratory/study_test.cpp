@@ -67,7 +67,7 @@ TEST(StudySetting, EachVariationDiffersFromTheDefaultAndFromTheOthers) {
         EXPECT_EQ(settings[study_peers].stepping.update_tolerance, 0);
         for (std::size_t a = study_default; a < settings.size(); ++a)
             for (std::size_t b = a + 1; b < settings.size(); ++b) {
-                const scene::RveStepping &s = settings[a].stepping, &t = settings[b].stepping;
+                const graph::RveSettings &s = settings[a].stepping, &t = settings[b].stepping;
                 EXPECT_FALSE(s.time_step_fraction == t.time_step_fraction && s.steps_min == t.steps_min &&
                              s.inertial_number_max == t.inertial_number_max &&
                              s.strain_per_step_max == t.strain_per_step_max &&
@@ -143,7 +143,7 @@ TEST(StudyRun, TheDefaultErrsByOnePercentAtMostNearZeroPressure) {
     dem::compress(a, {.pressure = study_pressure_low, .rate = 0.05});
     low.row.packing = dem::compact(a.packing(), low.material, a.stress());
     const StrainHistory history = opening_history();
-    scene::RveStepping bare;
+    graph::RveSettings bare;
     bare.stress_per_step_max = 1e6;
     const std::vector<StudyRun> fine{run_history(low, history, reference_stepping())},
         usual{run_history(low, history, {})}, unsettled{run_history(low, history, bare)};
