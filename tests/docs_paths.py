@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-PAGES = ("README.md", "docs/*.md", "*/README.md", "tests/*/README.md")
+PAGES = ("README.md", "docs/*.md", "*/README.md", "engine/*/README.md", "tests/*/README.md")
 PATH = re.compile(r"(?<![\w./-])((?:engine|surrogate|training|configs|docs|tests|cmake)/[\w./*-]*[\w/*])")
 LINK = re.compile(r"\]\((?!https?:|#)([^)#]+)(?:#[^)]*)?\)")
 PLACEHOLDER = re.compile(r"(?<![A-Z])(?!README|PEERS)[A-Z]{4,}")
