@@ -6,6 +6,7 @@
 
 #include "graph/screening_law.hpp"
 #include "memory_archive.hpp"
+#include "mpm/parallel_bands.hpp"
 #include "small_pull.hpp"
 
 namespace sandgraph {
@@ -46,8 +47,23 @@ TEST_P(Pull, GoesOnBitForBitFromItsArchive) {
     EXPECT_EQ(support::digest(*whole), support::digest(*second));
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, Pull, testing::Values(support::small_pull, support::small_screening_pull),
-                         [](const auto& mode) { return mode.index == 0 ? "Full" : "Screening"; });
+constexpr const char* kModes[] = {"Full", "Screening", "WideFull"};
+
+INSTANTIATE_TEST_SUITE_P(Modes, Pull,
+                         testing::Values(support::small_pull, support::small_screening_pull,
+                                         support::wide_pull),
+                         [](const auto& mode) { return kModes[mode.index]; });
+
+// Else the tests above would see one thread move the ground and no task update a packing.
+TEST(WidePull, IsLongEnoughForItsBandsToRunAtOnce) {
+    const auto pull = support::wide_pull();
+    for (int k = 0; k < kSteps; ++k) pull->step();
+    const mpm::Order& order = pull->state().order;
+    EXPECT_GE(order.ids.size(), mpm::serial_limit);
+    EXPECT_GE(order.bands(), 6u);  // of two colours
+    EXPECT_GT(order.near.size(), 0u);
+    EXPECT_GT(dynamic_cast<const graph::RveLaw&>(*pull->state().law).owning(), 4u);
+}
 
 // Else the tests above would not see the hand-over.
 TEST(SmallScreeningPull, HandsPointsOverAndBack) {

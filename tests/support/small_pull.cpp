@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "dem/fast/fast.hpp"
@@ -14,7 +15,14 @@
 namespace sandgraph::support {
 namespace {
 
-constexpr double kCell = 0.25, kWidth = 2, kDepth = 2, kGravity = 9.81;
+constexpr double kCell = 0.25, kGravity = 9.81;
+constexpr double kPlateDepth = 1.125;  // of its centre [m]
+
+// Of the ground, in cells.
+struct Extent {
+    int columns, rows;
+};
+constexpr Extent small{8, 8}, wide{32, 64};
 
 dem::AssemblyFactory fast() {
     return [](const dem::Packing& p, const dem::Material& m) {
@@ -34,19 +42,19 @@ graph::RowPacking row_packing(double pressure) {
     return {dem::compact(p, material, stress), {2e7, 1.4e7}};
 }
 
-const std::vector<graph::RowPacking>& rows() {
-    static const std::vector<graph::RowPacking> made = [] {
-        std::vector<graph::RowPacking> out;
-        for (double depth = 0.5 * kCell; depth < kDepth; depth += kCell)
-            out.push_back(row_packing(2230 * kGravity * depth));
-        return out;
-    }();
+// From the surface down, `count` of them at least.
+const std::vector<graph::RowPacking>& rows(int count) {
+    static std::vector<graph::RowPacking> made;
+    while (std::ssize(made) < count)
+        made.push_back(row_packing(2230 * kGravity * kCell * (static_cast<double>(made.size()) + 0.5)));
     return made;
 }
 
-constexpr double kPlateCentre = 0.875;
-
-graph::RveLawSetup grains_of(const mpm::Points& points) { return {{}, {}, rows(), points.row}; }
+graph::RveLawSetup grains_of(const mpm::Points& points) {
+    const int count = 1 + *std::ranges::max_element(points.row);
+    const auto all = rows(count);
+    return {{}, {}, {all.begin(), all.begin() + count}, points.row};
+}
 
 std::unique_ptr<stress::Law> full_law(const mpm::Points& points) {
     return std::make_unique<graph::RveLaw>(grains_of(points));
@@ -56,7 +64,7 @@ std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
     graph::ScreeningSetup setup;
     setup.grains = grains_of(points);
     setup.surrogate = std::make_shared<ElementSurrogate>();
-    for (const graph::RowPacking& row : rows()) {
+    for (const graph::RowPacking& row : setup.grains.rows) {
         const double p = mean_stress(tension_positive(row.packing->stress));
         setup.traits.push_back({p, 0.16, row.moduli.bulk, row.moduli.shear, 3.5, 0, 0, 0.5});
     }
@@ -68,11 +76,12 @@ std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
 
 using MakeLaw = std::unique_ptr<stress::Law> (*)(const mpm::Points&);
 
-std::unique_ptr<graph::Pull> pull_with(MakeLaw make_law) {
+std::unique_ptr<graph::Pull> pull_with(const Extent& extent, MakeLaw make_law) {
+    const double width = extent.columns * kCell, depth = extent.rows * kCell;
     mpm::RigidPlate plate;
-    plate.y = kPlateCentre, plate.half_width = 0.5, plate.half_height = 0.125;
+    plate.y = depth - kPlateDepth, plate.half_width = 0.5, plate.half_height = 0.125;
     plate.friction_angle = std::numbers::pi / 2;
-    mpm::Layout layout{{0, 0, kWidth, kDepth}, kCell, 1, 2230, {plate.rectangle()}};
+    mpm::Layout layout{{0, 0, width, depth}, kCell, 1, 2230, {plate.rectangle()}};
     mpm::Points points = mpm::lay_out(layout);
     auto law = make_law(points);
     const double modulus = law->p_wave_modulus();
@@ -80,11 +89,11 @@ std::unique_ptr<graph::Pull> pull_with(MakeLaw make_law) {
     settings.dt = mpm::time_step(settings.scheme, {kCell, modulus, 2230});
     settings.gravity = kGravity;
     settings.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
-    auto state =
-        std::make_unique<graph::GroundState>(settings, std::move(points), mpm::GridShape{0, 0, kCell, 8, 14});
+    auto state = std::make_unique<graph::GroundState>(
+        settings, std::move(points), mpm::GridShape{0, 0, kCell, extent.columns, extent.rows + 6});
     state->has_plate = true;
     plate.stiffness = mpm::contact_stiffness(1, modulus, kCell);
-    const double gamma = 2230 * kGravity, pressure = gamma * (kDepth - plate.y);
+    const double gamma = 2230 * kGravity, pressure = gamma * kPlateDepth;
     plate.rest = {pressure, pressure, gamma, gamma};
     state->plate = plate;
     state->law = std::move(law);
@@ -94,8 +103,9 @@ std::unique_ptr<graph::Pull> pull_with(MakeLaw make_law) {
 
 }  // namespace
 
-std::unique_ptr<graph::Pull> small_pull() { return pull_with(full_law); }
-std::unique_ptr<graph::Pull> small_screening_pull() { return pull_with(screening_law); }
+std::unique_ptr<graph::Pull> small_pull() { return pull_with(small, full_law); }
+std::unique_ptr<graph::Pull> small_screening_pull() { return pull_with(small, screening_law); }
+std::unique_ptr<graph::Pull> wide_pull() { return pull_with(wide, full_law); }
 
 std::string digest(const graph::Pull& pull) {
     const mpm::Points& g = pull.state().points;

@@ -11,6 +11,9 @@ std::unique_ptr<graph::Pull> small_pull();
 // The same with a closed-form surrogate, a gate that some points pass, and every fourth point audited.
 std::unique_ptr<graph::Pull> small_screening_pull();
 
+// A ground of 32 x 64 cells round the same plate: more points than mpm::serial_limit, in nine bands.
+std::unique_ptr<graph::Pull> wide_pull();
+
 // Every bit that the simulation carries, as one text.
 std::string digest(const graph::Pull& pull);
 

@@ -16,7 +16,8 @@ using test::matrix, test::Table;
 // Rows of a CSV that `rve test` wrote.
 Table fast_test(scene::ElementTestSpec spec, const Packing& packing) {
     spec.mode = scene::Kernel::fast;
-    const auto file = std::filesystem::path(testing::TempDir()) / "fast_yade_test.csv";
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    const auto file = std::filesystem::path(testing::TempDir()) / ("fast_yade_" + name + ".csv");
     std::ofstream(file) << laboratory::run_element_test(spec, packing, "{}").csv;
     const Table table = test::read_csv(file.string());
     std::filesystem::remove(file);

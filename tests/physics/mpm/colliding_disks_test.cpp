@@ -39,7 +39,7 @@ mpm::Points disks() {
 }
 
 struct Collision {
-    double minimum = 1, minimum_time = 0, final_kinetic = 0, final_total = 0, momentum = 0;
+    double minimum = 1, minimum_time = 0, final_kinetic = 0, final_total = 0, largest_total = 0, momentum = 0;
 };
 
 Collision collide() {
@@ -58,6 +58,7 @@ Collision collide() {
         if (share < c.minimum) c.minimum = share, c.minimum_time = t;
         c.momentum = std::max(c.momentum, mpm::momentum(model.points).norm());
         c.final_kinetic = share, c.final_total = share + model.work / before;
+        c.largest_total = std::max(c.largest_total, c.final_total);
     }
     return c;
 }
@@ -68,9 +69,12 @@ TEST(CollidingDisks, KeepZeroMomentumAndGiveTheirEnergyBack) {
     EXPECT_NEAR(c.minimum, 0.050, 0.02);
     EXPECT_NEAR(c.minimum_time, 0.92, 0.06);
     EXPECT_GT(c.final_kinetic, 0.87);
+    EXPECT_LT(c.largest_total, 1 + 1e-3);  // no step makes energy
+    EXPECT_GT(c.final_total, 0.918);       // what crossing cells takes; the rest is kinetic or still rings
 
     RecordProperty("kinetic_minimum", std::to_string(c.minimum) + " at " + std::to_string(c.minimum_time));
     RecordProperty("kinetic_final", std::to_string(c.final_kinetic));
+    RecordProperty("total_largest", std::to_string(c.largest_total));
     RecordProperty("total_final", std::to_string(c.final_total));
     RecordProperty("momentum", fmt::format("{:g}", c.momentum));
 }

@@ -1,8 +1,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "scene/element_test_keys.hpp"
+#include "scene/probe_spec.hpp"
+#include "scene/recipe_spec.hpp"
+#include "scene/scene_keys.hpp"
+#include "scene/train_spec.hpp"
 #include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
@@ -104,14 +110,39 @@ TEST(RveBench, PrintsWhatScriptsRead) {
     }
 }
 
+// Every key of the table stands in `told` at the head of a line, below the name of its table.
+void expect_all_named(const scene::KeyTable& table, const std::string& told) {
+    ASSERT_FALSE(table.keys().empty());
+    for (const scene::Key& key : table.keys()) {
+        const std::size_t section = key.section.empty() ? 0 : told.find("\n[" + key.section + "]\n");
+        ASSERT_NE(section, std::string::npos) << key.section << " in\n" << told;
+        const std::size_t end = std::min(told.find("\n[", section + 1), told.size());
+        EXPECT_NE(("\n" + told.substr(section, end - section)).find("\n" + key.name + " = "),
+                  std::string::npos)
+            << key.full_name() << " in\n"
+            << told;
+    }
+}
+
 TEST(Keys, NameEveryTable) {
     const Shell shell("keys");
     const auto outcome = shell.run("keys");
     EXPECT_EQ(outcome.exit_code, 0);
-    for (const char* table : {"[domain]", "[anchor]", "[ground]", "[grains]", "[rve]", "[mpm]", "[output]"})
-        EXPECT_NE(outcome.out.find(table), std::string::npos) << table;
-    for (const char* file : {"recipe", "path", "biaxial", "isotropic", "simple_shear"})
-        EXPECT_EQ(shell.run(std::string("keys ") + file).exit_code, 0) << file;
+    scene::Scene scene;
+    expect_all_named(scene::scene_keys(scene), outcome.out);
+    scene::RecipeSpec recipe;
+    expect_all_named(scene::recipe_keys(recipe), shell.run("keys recipe").out);
+    scene::ProbeSpec probe;
+    expect_all_named(scene::probe_keys(probe), shell.run("keys probe").out);
+    scene::TrainSpec train;
+    expect_all_named(scene::train_keys(train), shell.run("keys train").out);
+    const std::vector<std::string> kinds = scene::test_kind_names();
+    ASSERT_GE(kinds.size(), 4u);
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        scene::ElementTestSpec spec;
+        spec.kind = static_cast<scene::TestKind>(kind);
+        expect_all_named(scene::element_test_keys(spec), shell.run("keys " + kinds[kind]).out);
+    }
 }
 
 }  // namespace

@@ -65,9 +65,11 @@ TEST(NeighbourSearch, FindsWhatBruteForceFindsInAnyCell) {
 
 TEST(CellReduction, KeepsTheLatticeAndShortensThePeriods) {
     Random random(3);
+    int reduced_cells = 0;
     for (int trial = 0; trial < 200; ++trial) {
         const Mat2 H = (Mat2() << 0.2, random.uniform(-3, 3), random.uniform(-0.05, 0.05), 0.2).finished();
         if (H.determinant() < 1e-3) continue;
+        ++reduced_cells;
         const Reduction r = reduce_cell(H);
         EXPECT_EQ(r.U.determinant(), 1);
         EXPECT_EQ(Eigen::Matrix2i(r.U * r.U_inverse), Eigen::Matrix2i::Identity());
@@ -76,6 +78,7 @@ TEST(CellReduction, KeepsTheLatticeAndShortensThePeriods) {
         EXPECT_LE(std::abs(reduced.col(0).dot(reduced.col(1))),
                   0.551 * std::min(reduced.col(0).squaredNorm(), reduced.col(1).squaredNorm()));
     }
+    EXPECT_GT(reduced_cells, 100);
 }
 
 }  // namespace

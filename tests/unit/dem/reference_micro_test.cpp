@@ -21,11 +21,14 @@ class MicroCase : public testing::Test {
         static const test::Table t = test::read_table("micro_dense_particles.csv");
         const Packing p = assembly.packing();
         double worst = 0;
+        std::size_t rows = 0;
         for (std::size_t k = 0; k < t.rows.size(); ++k) {
             if (t.at(k, "step") != step) continue;
+            ++rows;
             const auto g = static_cast<std::size_t>(t.at(k, "id"));
             worst = std::max(worst, std::hypot(p.x[g] - t.at(k, "x"), p.y[g] - t.at(k, "y")) / r_mean);
         }
+        EXPECT_EQ(rows, p.size());
         return worst;
     }
     double contact_error(int step);

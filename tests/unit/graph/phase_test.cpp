@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
+#include <thread>
 
 #include "base/random.hpp"
 #include "graph/step_graph.hpp"
@@ -59,11 +61,21 @@ TEST(StepGraph, HandsOnWhatAPhaseThrows) {
 }
 
 TEST(StepGraph, TellsTheTimeOfEachPhase) {
-    StepGraph graph({{"a", {}, {"x"}, [] {}}, {"b", {"x"}, {}, [] {}}});
+    using std::chrono::steady_clock, std::chrono::duration, std::this_thread::sleep_for;
+    constexpr std::chrono::milliseconds a_takes(20), b_takes(5);
+    StepGraph graph(
+        {{"a", {}, {"x"}, [&] { sleep_for(a_takes); }}, {"b", {"x"}, {}, [&] { sleep_for(b_takes); }}});
+    const auto begin = steady_clock::now();
     graph.run();
+    graph.run();
+    const double wall = duration<double>(steady_clock::now() - begin).count();
     ASSERT_EQ(graph.times().size(), 2u);
-    EXPECT_EQ(graph.times()[1].name, "b");
-    EXPECT_GE(graph.times()[1].seconds, 0);
+    const PhaseTime &a = graph.times()[0], &b = graph.times()[1];
+    EXPECT_EQ(a.name, "a");
+    EXPECT_EQ(b.name, "b");
+    EXPECT_GE(a.seconds, 2 * 0.02);  // of both steps; sleeps are never shorter
+    EXPECT_GE(b.seconds, 2 * 0.005);
+    EXPECT_LE(a.seconds + b.seconds, wall);  // one after the other
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ TEST(RveLaw, ABadIncrementIsCountedAndLeavesTheRestAlone) {
     clean.law.update(clean.batch());
     EXPECT_EQ(bench.law.counters().failures, 1);
     EXPECT_EQ(bench.stress[1], clean.stress[1]);
+    EXPECT_NE(bench.stress[1], bench.stress[0]);
     EXPECT_EQ(bench.stress[0], tension_positive(public_packing().packing->stress));
 }
 
@@ -121,7 +122,12 @@ TEST(RveLaw, WatchedUpdatesReplayToTheSameStress) {
 TEST(RveLaw, WatchingChangesNoBit) {
     Bench watched(3), alone(3);
     watched.law.watch(std::vector<std::int32_t>{0, 2});
-    for (int step = 0; step < 100; ++step) shear_unevenly(watched, step), shear_unevenly(alone, step);
+    std::size_t updates = 0;
+    for (int step = 0; step < 100; ++step) {
+        shear_unevenly(watched, step), shear_unevenly(alone, step);
+        updates += watched.law.watched_updates().size();
+    }
+    EXPECT_GT(updates, 2u);
     EXPECT_EQ(watched.stress, alone.stress);
     EXPECT_TRUE(alone.law.watched_updates().empty());
 }

@@ -70,6 +70,7 @@ TEST(Fixed, SideNodesRestAndTheirAccelerationStopsThePoints) {
     Grid grid = loaded_grid(points);
     const GridStep update{1e-4, {0, -9.81}, 0, 1, {Side::free, Side::free, Side::fixed, Side::free}};
     update_grid(update, grid);
+    int with_mass = 0;
     for (int i = -1; i <= grid.shape.nx + 1; ++i) {
         const std::size_t n = grid.shape.index(i, 0);
         const Node& node = grid.fields[0].nodes[n];
@@ -78,7 +79,9 @@ TEST(Fixed, SideNodesRestAndTheirAccelerationStopsThePoints) {
         EXPECT_EQ(m.vy, 0);
         if (node.mass <= 1e-6) continue;
         EXPECT_NEAR(node.py / node.mass + update.dt * m.ay, 0, 1e-9);
+        ++with_mass;
     }
+    EXPECT_GE(with_mass, 8);
 }
 
 TEST(GridUpdate, MassScalingSlowsTheResponseToStressButNotToTheBalance) {
@@ -97,13 +100,17 @@ TEST(GridUpdate, LocalDampingTakesItsShareOfTheUnbalancedForceAgainstTheMotion) 
     Grid free = loaded_grid(points), damped = free;
     update_grid({1e-4, {0, -9.81}, 0, 1, {}}, free);
     update_grid({1e-4, {0, -9.81}, 0.3, 1, {}}, damped);
+    int speeding = 0, slowing = 0;
     for (std::size_t n = 0; n < free.shape.size(); ++n) {
         const Node& node = free.fields[0].nodes[n];
         if (node.mass < 1e-6) continue;
         const double a = free.fields[0].motion[n].ax, v = free.fields[0].motion[n].vx;
         const double expected = a * (1 - (v * a > 0 ? 0.3 : -0.3));
         EXPECT_NEAR(damped.fields[0].motion[n].ax, expected, 1e-12 * std::abs(a));
+        ++(v * a > 0 ? speeding : slowing);
     }
+    EXPECT_GT(speeding, 10);
+    EXPECT_GT(slowing, 10);
 }
 
 }  // namespace

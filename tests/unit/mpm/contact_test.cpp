@@ -144,13 +144,21 @@ TEST(Contact, ShearStopsAtCoulombsLimitUnlessThePlateIsRough) {
 TEST(Contact, ForgetsItsSlipWhenContactIsLost) {
     Embedded e(0.1, 0.2);
     e.load();
+    const auto below = [&] {
+        return std::ranges::count_if(e.contact.touches,
+                                     [](const Touch& t) { return t.face == Face::bottom; });
+    };
+    const auto before = below();
+    ASSERT_GT(before, 0);
     for (const Touch& t : e.contact.touches) e.contact.slip[static_cast<std::size_t>(t.point)] = 1e-4;
     e.plate.y += 0.01;
     e.load();
+    EXPECT_EQ(below(), 0);
     for (std::size_t p = 0; p < e.points.size(); ++p)
         EXPECT_TRUE(e.contact.face[p] != 0 || e.contact.slip[p] == 0) << p;
     e.plate.y -= 0.01;
     e.load();
+    EXPECT_EQ(below(), before);
     for (const Touch& t : e.contact.touches)
         EXPECT_TRUE(t.face != Face::bottom || e.contact.slip[static_cast<std::size_t>(t.point)] == 0)
             << t.point;

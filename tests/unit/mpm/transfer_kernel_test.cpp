@@ -58,13 +58,16 @@ Result plain() {
 void expect_equal(const Result& a, const Result& b) {
     for (std::size_t n = 0; n < a.nodes.size(); ++n) {
         EXPECT_NEAR(a.nodes[n].mass, b.nodes[n].mass, 1e-12);
+        EXPECT_NEAR(a.nodes[n].px, b.nodes[n].px, 1e-12);
         EXPECT_NEAR(a.nodes[n].py, b.nodes[n].py, 1e-12);
         EXPECT_NEAR(a.nodes[n].fx, b.nodes[n].fx, 1e-8);
         EXPECT_NEAR(a.nodes[n].fy, b.nodes[n].fy, 1e-8);
     }
     for (std::size_t p = 0; p < a.points.size(); ++p) {
         EXPECT_NEAR(a.points.x[p], b.points.x[p], 1e-14);
+        EXPECT_NEAR(a.points.y[p], b.points.y[p], 1e-14);
         EXPECT_NEAR(a.points.vx[p], b.points.vx[p], 1e-13);
+        EXPECT_NEAR(a.points.vy[p], b.points.vy[p], 1e-13);
         EXPECT_LT((a.points.F[p] - b.points.F[p]).norm(), 1e-13);
     }
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/io/scratch.hpp"
+
 namespace sandgraph::report {
 namespace {
 
@@ -25,7 +27,10 @@ TEST(Html, AMissingPictureIsSaidNotLinked) {
 }
 
 TEST(Html, ThePageLoadsNothingFromElsewhere) {
-    const std::string html = page("t", table({{"a"}, {"1"}}));
+    const test::Scratch folder;
+    test::overwrite(folder / "load.png", "\x89PNG");
+    const std::string html = page("t", table({{"a"}, {"1"}}) + figure(folder / "load.png", "Load"));
+    EXPECT_NE(html.find("src=\"data:image/png;base64,"), std::string::npos);
     for (const char* word : {"http://", "https://", "src=\"/", "<script", "<link"})
         EXPECT_EQ(html.find(word), std::string::npos) << word;
 }
