@@ -9,11 +9,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kShipped = "table1.surrogate.h5";
 
-// `name` in `folder`, in its folder `configs`, or in those of the folders above it.
+// `name` in `folder`, in its folders of models, or in those of the folders above it.
 fs::path found_above(fs::path folder, const char* name) {
     for (;; folder = folder.parent_path()) {
-        for (const fs::path& here : {folder / name, folder / "configs" / name})
-            if (fs::exists(here)) return here;
+        for (const char* place : {"", "models", "configs/models", "configs"})
+            if (fs::exists(folder / place / name)) return folder / place / name;
         if (!folder.has_relative_path()) return {};
     }
 }

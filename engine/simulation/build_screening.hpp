@@ -10,7 +10,7 @@
 namespace sandgraph::simulation {
 
 // The weights file of a screening scene: its own, else the shipped one in the folder of the scene, in a
-// `configs` folder above it, or in that of the program. InputError when there is none.
+// `configs/models` or `configs` folder above it, or in that of the program. InputError when there is none.
 std::filesystem::path model_file(const scene::Scene& scene);
 
 // `grains`: how the packings are driven where the surrogate is not trusted.

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Laws trained on the shipped recipe's data (configs/train.toml) with something changed, and measured on the same held-out
+# Laws trained on the shipped recipe's data (configs/models/train.toml) with something changed, and measured on the same held-out
 # packings; no model is written. Each variant is one command on a recipe that this script writes:
 #   tests/bench/train_variants.sh traits [BINARY] [DIR]   # what a law owes to knowing its packing (40 epochs, not 150)
 #   tests/bench/train_variants.sh data [BINARY] [DIR]     # error against the number of training histories
@@ -8,11 +8,11 @@ set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 study=$1 binary=${2:-$here/build/release/sandgraph} out=${3:-out/train}
 mkdir -p "$out"
-[ -e "$out/probes.h5" ] || "$binary" rve probe "$here/configs/probe.toml" -o "$out/probes.h5"
+[ -e "$out/probes.h5" ] || "$binary" rve probe "$here/configs/models/probe.toml" -o "$out/probes.h5"
 
 variant() { # NAME SED-SCRIPT
     [ -e "$out/$1.errors.csv" ] && return
-    sed -e 's|^probe .*|logs = "probes.h5"|' -e "$2" "$here/configs/train.toml" >"$out/$1.toml"
+    sed -e 's|^probe .*|logs = "probes.h5"|' -e "$2" "$here/configs/models/train.toml" >"$out/$1.toml"
     "$binary" train "$out/$1.toml" --measure -o "$out/$1.h5" 2>"$out/$1.log"
 }
 

@@ -67,7 +67,7 @@ void write_segments(const fs::path& file) {
 }
 
 void write_probe(const fs::path& file) {
-    fs::copy_file(fs::path(SANDGRAPH_SOURCE) / "configs/probe.toml", file,
+    fs::copy_file(fs::path(SANDGRAPH_SOURCE) / "configs/models/probe.toml", file,
                   fs::copy_options::overwrite_existing);
 }
 void write_train(const fs::path& file) {

@@ -61,7 +61,7 @@ std::unique_ptr<stress::Law> law_of(const GroundSpec& spec, const packings::Comp
                                     graph::RveLawSetup grains) {
     if (!spec.screening) return std::make_unique<graph::RveLaw>(std::move(grains));
     graph::ScreeningSetup setup;
-    setup.surrogate = surrogate::load_surrogate(SANDGRAPH_SOURCE "/configs/table1.surrogate.h5");
+    setup.surrogate = surrogate::load_surrogate(SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5");
     const double angle = packings.friction();
     for (const graph::RowPacking& row : grains.rows) setup.traits.push_back(packings.traits(row, angle));
     setup.grains = std::move(grains);

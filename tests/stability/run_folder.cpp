@@ -53,7 +53,7 @@ RunFolder::RunFolder(Effort effort, RunMode mode) {
     fs::create_directories(folder_);
     std::ofstream(folder_ / "scene.toml") << kScene;
     if (mode == RunMode::screening)
-        always_ = {"--set", "surrogate.model=" SANDGRAPH_SOURCE "/configs/table1.surrogate.h5"};
+        always_ = {"--set", "surrogate.model=" SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5"};
     for (const std::string& s : settings(effort, mode)) always_.insert(always_.end(), {"--set", s});
 }
 

@@ -34,7 +34,7 @@ frames = [0, 0.01]
 
 using Change = std::function<void(surrogate::Model&)>;
 
-const std::string kShipped = std::string(SANDGRAPH_SOURCE) + "/configs/table1.surrogate.h5";
+const std::string kShipped = std::string(SANDGRAPH_SOURCE) + "/configs/models/table1.surrogate.h5";
 
 surrogate::Model shipped(const Change& change) {
     surrogate::Model model = surrogate::read_model(kShipped).model;
