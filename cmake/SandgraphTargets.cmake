@@ -38,9 +38,24 @@ function(sandgraph_library name)
   target_link_libraries(sg_${name} PUBLIC sandgraph_flags ${ARG_LINK})
 endfunction()
 
-# sandgraph_test(unit/dem LINK sg_dem ...): program test_unit_dem from every .cpp of tests/unit/dem.
+# The tiers of tests are labels of ctest: `unit` (all of it in half a minute on two cores, without libtorch), `physics`,
+# `slow`. A target tests_<tier> builds what `ctest -L <tier>` runs.
+foreach(tier unit physics slow)
+  add_custom_target(tests_${tier})
+endforeach()
+
+# sandgraph_tier(unit test_unit_dem unit/dem [TEST_FILTER Rve.*]): tests of a program, or those of a filter, are a tier's.
+function(sandgraph_tier tier program prefix)
+  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX "${prefix}:"
+                       ${ARGN} PROPERTIES LABELS ${tier})
+  add_dependencies(tests_${tier} ${program})
+endfunction()
+
+# sandgraph_test(unit/dem LINK sg_dem ... [TIER slow] [PHYSICS Rve.LongOne ...]): program test_unit_dem from every .cpp of
+# tests/unit/dem. Its tier is the first folder's name unless told; tests named after PHYSICS take too long for it. Those
+# that start the program (OUTSIDE) know it as SANDGRAPH_BINARY.
 function(sandgraph_test folder)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "OUTSIDE" "TIER" "LINK;PHYSICS" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${folder}/*.cpp)
   if(NOT sources)
@@ -50,5 +65,18 @@ function(sandgraph_test folder)
   target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE SANDGRAPH_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
                              SANDGRAPH_SOURCE="${CMAKE_SOURCE_DIR}")
-  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX "${folder}:")
+  if(ARG_OUTSIDE)
+    target_compile_definitions(test_${name} PRIVATE SANDGRAPH_BINARY="$<TARGET_FILE:sandgraph>")
+    add_dependencies(test_${name} sandgraph)
+  endif()
+  if(NOT ARG_TIER)
+    string(REGEX MATCH "^[a-z]+" ARG_TIER ${folder})
+  endif()
+  if(NOT ARG_PHYSICS)
+    sandgraph_tier(${ARG_TIER} test_${name} ${folder})
+    return()
+  endif()
+  list(JOIN ARG_PHYSICS ":" long)
+  sandgraph_tier(${ARG_TIER} test_${name} ${folder} TEST_FILTER "-${long}")
+  sandgraph_tier(physics test_${name} ${folder} TEST_FILTER "${long}")
 endfunction()

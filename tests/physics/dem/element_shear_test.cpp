@@ -5,7 +5,7 @@
 #include "dem/element_test/element_test.hpp"
 #include "dem/fast/fast.hpp"
 #include "dem/packing/csv.hpp"
-#include "yade_reference.hpp"
+#include "tests/unit/dem/yade_reference.hpp"
 
 namespace sandgraph::dem {
 namespace {

@@ -7,7 +7,7 @@
 #include "dem/element_test/element_test.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/reference/reference.hpp"
-#include "yade_reference.hpp"
+#include "tests/unit/dem/yade_reference.hpp"
 
 namespace sandgraph::dem {
 namespace {
