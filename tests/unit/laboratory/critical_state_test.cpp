@@ -10,6 +10,8 @@
 namespace sandgraph::laboratory {
 namespace {
 
+using app::Shell;
+
 // q/p falls from twice its late value to it over the first half; the void ratio is e.
 CriticalTest shear(const std::string& density, std::uint64_t seed, double pressure, double ratio, double e) {
     CriticalTest test{density, seed, pressure, {}};

@@ -11,6 +11,8 @@
 namespace sandgraph::laboratory {
 namespace {
 
+using app::Shell;
+
 constexpr double degree = std::numbers::pi / 180;
 
 // A test whose friction rises to `peak` [rad] at 5 % and stays at half its sine from 10 % on.

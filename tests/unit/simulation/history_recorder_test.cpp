@@ -106,7 +106,8 @@ TEST(HistoryRecorder, LogIsThePackingsHistory) { EXPECT_GT(replayed(log(), io::H
 // What a screening run is retrained from: grains along the strain that the surrogate led to.
 TEST(HistoryRecorder, LogOfAScreeningRunIsThatOfItsAuditedPackings) {
     const std::vector<std::string> set = {"mode=screening", "audit.share=0.05", "gate.active=false",
-                                          "surrogate.model=" SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5"};
+                                          "surrogate.model=" SANDGRAPH_SOURCE
+                                          "/configs/models/table1.surrogate.h5"};
     const scene::Scene scene = scene::parse_scene(kScene, "s.toml", set);
     packings::PreparedGround screened = ground();
     screened.surrogate = surrogate::load_surrogate(SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5");
