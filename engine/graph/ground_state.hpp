@@ -41,7 +41,13 @@ struct GroundState {
     double stress_work = 0;  // accumulated sum of V sigma : d(eps), mid-step [J/m]
     double work_before = 0;  // this step's half, with the old stress
 
-    stress::Batch batch() { return {all_points, points.F_inc, points.stress, settings.dt}; }
+    stress::Batch batch() {
+        return {all_points,
+                points.F_inc,
+                points.stress,
+                settings.dt,
+                {points.x, points.y, points.volume, grid.shape.cell, d_over_B}};
+    }
     void archive(Archive& a);
 };
 

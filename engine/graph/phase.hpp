@@ -3,19 +3,25 @@
 #include <string>
 #include <vector>
 
+#include "stress/stage.hpp"
+
 namespace sandgraph::graph {
 
-// One stage of a step. The order of the stages is data: a resource is written by one phase a step, and
-// whoever reads it comes after. Listing the phases in another order changes nothing.
+using stress::Data, stress::Version, stress::settled;
+
+// One phase of a step. The order of the phases is data: whoever reads a version waits for its writer, and
+// whoever writes the next one waits for its readers. Listing the phases in another order changes nothing.
 struct Phase {
     std::string name;
-    std::vector<std::string> reads;  // resources of this step (what no phase writes is from the step before)
-    std::vector<std::string> writes;
+    std::vector<Version> reads, writes;
     std::function<void()> run;
 };
 
-// For each phase the phases it must wait for. Throws std::logic_error on two writers of a resource or a
-// circle.
+// For each phase the phases that it must wait for, in rising order. Throws std::logic_error on a version with
+// two writers or none, or when phases wait for each other.
 std::vector<std::vector<std::size_t>> predecessors(const std::vector<Phase>& phases);
+
+// An order to run the phases in one after the other: the first that is ready, in the order of the list.
+std::vector<std::size_t> serial_order(const std::vector<std::vector<std::size_t>>& before);
 
 }  // namespace sandgraph::graph

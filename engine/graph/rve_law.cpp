@@ -6,30 +6,65 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/packing/observe.hpp"
+#include "base/byte_stream.hpp"
 #include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {
 namespace {
 
-constexpr std::size_t kPredictGrain = 1024;  // points a task of the cheap loop
+using stress::Data, stress::Stage;
+
+constexpr std::size_t kPredictGrain = 1024, kSettleGrain = 64;  // points a task of the cheap loops
 
 }  // namespace
 
-RveLaw::RveLaw(RveLawSetup setup) : setup_(std::move(setup)), visits_(setup_.row_of_point.size()) {
-    rves_.reserve(visits_.size());
-    for (const std::int32_t row : setup_.row_of_point)
-        rves_.emplace_back(setup_.rows[static_cast<std::size_t>(row)].packing);
+double RveLawSetup::p_wave_modulus() const {
+    double out = 0;
+    for (const RowPacking& row : rows) out = std::max(out, row.moduli.p_wave());
+    return out;
 }
+
+std::vector<std::shared_ptr<const dem::CompactPacking>> RveLawSetup::initial_packings() const {
+    std::vector<std::shared_ptr<const dem::CompactPacking>> out;
+    for (std::size_t p = 0; p < row_of_point.size(); ++p) out.push_back(row(p).packing);
+    return out;
+}
+
+void RveCounters::count(const dem::RveReport& report, bool waited, double error) {
+    ++updates;
+    dem_steps += report.dem_steps;
+    failures += failed(report.status);
+    predicted += waited;
+    prediction_error_sum += waited ? error : 0;
+    inertial_number_max = std::max(inertial_number_max, report.inertial_number);
+}
+
+dem::RveUpdate update_of(std::int32_t point, const RveJob& job, const RveAnswer& answer) {
+    return {point, *job.increment, answer.report, answer.stress, answer.volume_ratio, *answer.seen};
+}
+
+RveLaw::RveLaw(RveLawSetup setup)
+    : setup_(std::move(setup)),
+      visits_(setup_.row_of_point.size()),
+      pool_(local_pool(setup_.initial_packings(), setup_.material, setup_.options)) {}
 
 void RveLaw::initialise(const stress::Batch& batch) {
-    for (const std::int32_t p : batch.points) batch.stress[p] = tension_positive(rves_[p].stress());
+    for (const std::int32_t p : batch.points) batch.stress[p] = tension_positive(pool_->stress(p));
 }
 
-double RveLaw::p_wave_modulus() const {
-    double out = 0;
-    for (const RowPacking& row : setup_.rows) out = std::max(out, row.moduli.p_wave());
-    return out;
+std::vector<Stage> RveLaw::stages() {
+    return {{"predict",
+             {{Data::increments, 1}, {Data::stress, 0}, {Data::visits, 0}, {Data::packings, 0}},
+             {{Data::visits, 1}, {Data::stress, 1}},
+             [this](const stress::Batch& batch) { predict(batch); }},
+            {"route",
+             {{Data::visits, 1}, {Data::stress, 1}, {Data::packings, 0}},
+             {{Data::due, 1}},
+             [this](const stress::Batch& batch) { route(batch); }},
+            {"grains",
+             {{Data::due, 1}, {Data::visits, 1}, {Data::stress, 1}, {Data::packings, 0}},
+             {{Data::packings, 1}, {Data::stress, 2}, {Data::visits, 2}},
+             [this](const stress::Batch& batch) { drive(batch); }}};
 }
 
 void RveLaw::update(const stress::Batch& batch) {
@@ -44,8 +79,7 @@ void RveLaw::predict(const stress::Batch& batch) {
                       [&](const auto& range) {
                           for (std::size_t k = range.begin(); k < range.end(); ++k) {
                               const std::int32_t p = batch.points[k];
-                              const auto row = static_cast<std::size_t>(setup_.row_of_point[p]);
-                              visits_.predict(p, setup_.rows[row].moduli, batch.F_inc[p], rves_[p].floating(),
+                              visits_.predict(p, setup_.row(p).moduli, batch.F_inc[p], pool_->floating(p),
                                               setup_.visits, floor, batch.stress[p]);
                           }
                       });
@@ -56,77 +90,93 @@ void RveLaw::route(const stress::Batch& batch) {
     for (const std::int32_t p : batch.points) {
         if (!visits_.due(p)) continue;
         const double reference = reference_pressure(batch.stress[p], setup_.options.pressure_floor);
-        due_.push_back({p, rves_[p].floating() ? 0 : norm(visits_.change(p)) / std::sqrt(reference)});
+        due_.push_back({p, pool_->floating(p) ? 0 : norm(visits_.change(p)) / std::sqrt(reference)});
     }
     std::stable_sort(due_.begin(), due_.end(),
                      [](const Due& a, const Due& b) { return a.expected_steps > b.expected_steps; });
 }
 
 void RveLaw::drive(const stress::Batch& batch) {
-    reports_.resize(due_.size());
-    errors_.resize(due_.size());
-    waited_.resize(due_.size());
-    assign_records();
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, due_.size(), 1),
-        [&](const auto& range) {
-            for (std::size_t slot = range.begin(); slot < range.end(); ++slot) drive_point(slot, batch);
-        },
-        tbb::simple_partitioner());
-    for (std::size_t slot = 0; slot < due_.size(); ++slot) {
-        const dem::RveReport& r = reports_[slot];
-        ++counters_.updates;
-        counters_.dem_steps += r.dem_steps;
-        counters_.failures += failed(r.status);
-        counters_.predicted += waited_[slot];
-        counters_.prediction_error_sum += waited_[slot] ? errors_[slot] : 0;
-        counters_.inertial_number_max = std::max(counters_.inertial_number_max, r.inertial_number);
+    jobs_.clear();
+    for (const Due& due : due_) {
+        const auto p = static_cast<std::size_t>(due.point);
+        jobs_.push_back(
+            {.rve = p, .increment = visits_.collected(p), .observed = !watched_.empty() && watched_[p] != 0});
     }
+    answers_.resize(jobs_.size()), predictions_.resize(jobs_.size());
+    pool_->drive(jobs_, answers_);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, jobs_.size(), kSettleGrain), [&](const auto& range) {
+        for (std::size_t slot = range.begin(); slot < range.end(); ++slot) settle(slot, batch);
+    });
+    for (std::size_t slot = 0; slot < jobs_.size(); ++slot)
+        counters_.count(answers_[slot].report, predictions_[slot].waited, predictions_[slot].error);
 }
 
-void RveLaw::drive_point(std::size_t slot, const stress::Batch& batch) {
+void RveLaw::settle(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = due_[slot].point;
-    const Mat2& F_inc = visits_.collected(static_cast<std::size_t>(p));
-    reports_[slot] = rves_[p].update(F_inc, setup_.material, setup_.options, workspaces_.local());
-    if (record_of_[slot] >= 0) record(slot, F_inc);
-    const Stress now = tension_positive(rves_[p].stress());
+    const Stress now = tension_positive(answers_[slot].stress);
     const double reference = reference_pressure(now, setup_.options.pressure_floor);
-    errors_[slot] = norm(difference(now, batch.stress[p])) / reference;
-    waited_[slot] = visits_.answered(p, reference, errors_[slot], setup_.visits);
+    const double error = norm(difference(now, batch.stress[p])) / reference;
+    predictions_[slot] = {error, visits_.answered(p, reference, error, setup_.visits)};
     batch.stress[p] = now;
 }
 
-void RveLaw::watch(std::span<const std::int32_t> points) {
-    watch_.assign(rves_.size(), 0);
-    for (const std::int32_t p : points) watch_[static_cast<std::size_t>(p)] = 1;
+stress::Observation RveLaw::observe(std::size_t point) const {
+    stress::Observation out;
+    out.packing = &pool_->rve(point), out.by_grains = true;
+    // Deformation since the last DEM update is not in the packing yet; this includes it.
+    out.porosity = 1 - (1 - pool_->porosity(point)) / visits_.collected(point).determinant();
+    return out;
 }
 
-// Records are owned by slot, so that their order hangs on no thread.
-void RveLaw::assign_records() {
-    record_of_.assign(due_.size(), -1);
-    std::int32_t count = 0;
-    for (std::size_t slot = 0; slot < due_.size() && !watch_.empty(); ++slot)
-        if (watch_[static_cast<std::size_t>(due_[slot].point)]) record_of_[slot] = count++;
-    watched_.resize(static_cast<std::size_t>(count));
+stress::GrainUse RveLaw::grain_use() const {
+    return {static_cast<std::int64_t>(owning()), counters_.dem_steps, counters_.updates, counters_.failures};
 }
 
-void RveLaw::record(std::size_t slot, const Mat2& F_inc) {
-    const std::int32_t p = due_[slot].point;
-    watched_[static_cast<std::size_t>(record_of_[slot])] = {p,
-                                                            F_inc,
-                                                            reports_[slot],
-                                                            rves_[p].stress(),
-                                                            rves_[p].volume_ratio(),
-                                                            dem::observe(rves_[p], setup_.material)};
+std::vector<std::pair<std::string, double>> RveLaw::figures() const {
+    return {{"rve_failures", static_cast<double>(counters_.failures)},
+            {"rve_owning_final", static_cast<double>(owning())},
+            {"prediction_error_mean",
+             counters_.prediction_error_sum / std::max<double>(1, static_cast<double>(counters_.predicted))},
+            {"inertial_number_max", counters_.inertial_number_max}};
 }
 
-std::size_t RveLaw::owning() const {
-    return static_cast<std::size_t>(
-        std::count_if(rves_.begin(), rves_.end(), [](const dem::Rve& r) { return r.owns_packing(); }));
+std::vector<std::int32_t> RveLaw::watch(std::span<const std::int32_t> points) {
+    watched_.assign(pool_->size(), 0);
+    for (const std::int32_t p : points) watched_[static_cast<std::size_t>(p)] = 1;
+    return {points.begin(), points.end()};
 }
 
-double RveLaw::porosity(std::size_t point) const {
-    return 1 - (1 - rves_[point].porosity()) / visits_.collected(point).determinant();
+// By slot, so that their order hangs on no thread.
+void RveLaw::each_watched_update(const std::function<void(const dem::RveUpdate&)>& tell) const {
+    for (std::size_t slot = 0; slot < jobs_.size(); ++slot)
+        if (jobs_[slot].observed) tell(update_of(due_[slot].point, jobs_[slot], answers_[slot]));
+}
+
+void confirm_packings(Archive& a, const std::vector<RowPacking>& rows) {
+    std::vector<std::int64_t> hashes;
+    for (const RowPacking& row : rows) hashes.push_back(dem::content_hash(*row.packing));
+    std::vector<std::int64_t> read = hashes;
+    a.field("initial_packings", read);
+    require_state(read == hashes, "initial packings");
+}
+
+void RveLaw::archive(Archive& a) {
+    confirm_packings(a, setup_.rows);
+    std::vector<std::uint8_t> bytes;
+    if (!a.reading()) {
+        ByteWriter out(bytes);
+        out.put(counters_);
+        visits_.save(out);
+        pool_->save(out);
+    }
+    a.field("rve", bytes);
+    if (!a.reading()) return;
+    ByteReader in(bytes);
+    in.take(counters_);
+    visits_.load(in);
+    pool_->load(in);
+    require_state(in.empty(), "lengths");
 }
 
 }  // namespace sandgraph::graph

@@ -1,11 +1,8 @@
 #pragma once
-#include <tbb/enumerable_thread_specific.h>
-
 #include <memory>
 #include <vector>
 
-#include "dem/packing/observe.hpp"
-#include "dem/rve.hpp"
+#include "graph/rve_pool.hpp"
 #include "graph/visits.hpp"
 #include "stress/law.hpp"
 
@@ -23,6 +20,13 @@ struct RveLawSetup {
     std::vector<RowPacking> rows;
     std::vector<std::int32_t> row_of_point;  // [points]
     VisitSettings visits = {};
+
+    const RowPacking& row(std::size_t point) const {
+        return rows[static_cast<std::size_t>(row_of_point[point])];
+    }
+    double p_wave_modulus() const;  // largest of the rows [Pa]
+    // What the packing of each point starts from.
+    std::vector<std::shared_ptr<const dem::CompactPacking>> initial_packings() const;
 };
 
 // StateError when the archive is of a run that started from other packings: another machine's rounding, or
@@ -35,69 +39,66 @@ struct RveCounters {
     double prediction_error_sum = 0;  // over those: |predicted - DEM|/max(p, floor), an upper bound on what
                                       // the ground saw
     double inertial_number_max = 0;
+
+    // One answer; `waited`: its stress had been a prediction, off by `error`.
+    void count(const dem::RveReport& report, bool waited, double error);
 };
 
-// What a DEM update of a watched point did, for the history log.
-struct RveUpdate {
-    std::int32_t point = 0;
-    Mat2 F_inc = Mat2::Identity();  // since the point's previous update, with its spin
-    dem::RveReport report;
-    Mat2 stress = Mat2::Zero();  // after it [Pa], compression positive, lab frame, not symmetrised
-    double volume_ratio = 1;     // J since the start
-    dem::Observables seen;       // lab frame
-};
+// The update of a watched point, of an answer that was observed.
+dem::RveUpdate update_of(std::int32_t point, const RveJob& job, const RveAnswer& answer);
 
 // A packing of grains at every material point, behind the stress contract. Between two DEM updates a point's
 // stress follows its small-strain stiffness. How far that prediction may move the stress before the grains
-// are asked is each point's own allowance: it grows while predictions come true and shrinks where they do
-// not, so that the error stays near the tolerance. Quiet points cost nothing and own no packing.
+// are asked is each point's own admissible change: it grows while predictions come true and shrinks where
+// they do not, so that the error stays near the tolerance. Quiet points cost nothing and own no packing.
 class RveLaw : public stress::Law {
   public:
     explicit RveLaw(RveLawSetup setup);
     void initialise(const stress::Batch& batch) override;
-    void update(const stress::Batch& batch) override;  // predict, route, drive in turn
-    double p_wave_modulus() const override;
+    void update(const stress::Batch& batch) override;  // its stages in turn
+    std::vector<stress::Stage> stages() override;
+    double p_wave_modulus() const override { return setup_.p_wave_modulus(); }
     void archive(Archive& a) override;
 
-    // The three stages, for the step graph.
     void predict(const stress::Batch& batch);  // all points: stress and collected deformation
     void route(const stress::Batch& batch);    // which points need their grains, longest expected first
     void drive(const stress::Batch& batch);    // DEM updates, in parallel; stress to owned slots
 
+    stress::Answers answers() const override { return stress::Answers::grains; }
+    stress::Observation observe(std::size_t point) const override;
+    stress::GrainUse grain_use() const override;
+    std::vector<std::pair<std::string, double>> figures() const override;
+    std::vector<std::int32_t> watch(std::span<const std::int32_t> points) override;
+    void each_watched_update(const std::function<void(const dem::RveUpdate&)>& tell) const override;
+
     const RveCounters& counters() const { return counters_; }
     // The DEM updates of the last step in the order they were started, longest expected first.
-    const std::vector<dem::RveReport>& last_reports() const { return reports_; }
-    // Records every DEM update of these points from now on.
-    void watch(std::span<const std::int32_t> points);
-    const std::vector<RveUpdate>& watched_updates() const { return watched_; }  // of the last step
-    std::size_t owning() const;                                                 // points that own a packing
-    const dem::Rve& rve(std::size_t point) const { return rves_[point]; }
-    // Deformation since the last DEM update is not in the packing yet; this includes it.
-    double porosity(std::size_t point) const;
-    // What the point's packing shows as it was left by its last DEM update, in the lab frame.
-    dem::Observables observe(std::size_t point) const { return dem::observe(rves_[point], setup_.material); }
+    std::span<const RveAnswer> last_answers() const { return {answers_.data(), jobs_.size()}; }
+    std::size_t owning() const { return pool_->owning(); }  // points that own a packing
+    const dem::Rve& rve(std::size_t point) const { return pool_->rve(point); }
 
   private:
+    void settle(std::size_t slot, const stress::Batch& batch);
+
+    RveLawSetup setup_;
+    Visits visits_;
+    std::unique_ptr<RvePool> pool_;      // packing k is that of point k
+    std::vector<std::uint8_t> watched_;  // by point; empty: none
+    RveCounters counters_;
+
+    // Of this step.
     struct Due {
         std::int32_t point;
         double expected_steps;
     };
-    void drive_point(std::size_t slot, const stress::Batch& batch);
-    void assign_records();
-    void record(std::size_t slot, const Mat2& F_inc);
-
-    RveLawSetup setup_;
-    Visits visits_;
-    std::vector<dem::Rve> rves_;
     std::vector<Due> due_;
-    std::vector<dem::RveReport> reports_;                         // by slot of due_
-    std::vector<double> errors_;                                  // by slot of due_
-    std::vector<std::uint8_t> waited_;                            // by slot of due_: Visits::answered
-    std::vector<std::uint8_t> watch_;                             // by point
-    std::vector<RveUpdate> watched_;                              // in the order of due_
-    std::vector<std::int32_t> record_of_;                         // by slot of due_: in watched_, or -1
-    tbb::enumerable_thread_specific<dem::Workspace> workspaces_;  // scratch, no state
-    RveCounters counters_;
+    std::vector<RveJob> jobs_;        // by slot of due_
+    std::vector<RveAnswer> answers_;  // by slot of due_
+    struct Prediction {
+        double error = 0;     // share of p
+        bool waited = false;  // the ground has used it
+    };
+    std::vector<Prediction> predictions_;  // by slot of due_
 };
 
 }  // namespace sandgraph::graph

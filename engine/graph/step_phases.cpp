@@ -1,7 +1,5 @@
 #include "graph/step_phases.hpp"
 
-#include "graph/rve_law.hpp"
-#include "graph/screening_law.hpp"
 #include "mpm/audit.hpp"
 #include "mpm/grid_update.hpp"
 #include "mpm/points_to_grid.hpp"
@@ -39,39 +37,38 @@ void gather_points(GroundState& s) {
 
 void account_work(GroundState& s) { s.stress_work += 0.5 * (s.work_before + mpm::stress_work(s.points)); }
 
-Surroundings surroundings(const GroundState& s) {
-    return {s.points.x, s.points.y, s.points.volume, s.grid.shape.cell, s.d_over_B};
-}
-
-std::vector<Phase> screening_phases(GroundState& s, ScreeningLaw& law) {
-    return {{"predict", {"increments"}, {"predicted"}, [&s, &law] { law.predict(s.batch()); }},
-            {"route", {"predicted"}, {"due"}, [&s, &law] { law.route(s.batch()); }},
-            {"surrogate", {"due"}, {"answers"}, [&s, &law] { law.ask(s.batch()); }},
-            {"grains", {"due"}, {"driven"}, [&s, &law] { law.drive(s.batch()); }},
-            {"hand-over", {"answers", "driven"}, {"stress"}, [&s, &law] {
-                 law.hand_over(s.batch(), surroundings(s));
-             }}};
-}
-
-std::vector<Phase> stress_phases(GroundState& s) {
-    if (auto* law = dynamic_cast<ScreeningLaw*>(s.law.get())) return screening_phases(s, *law);
-    if (auto* rve = dynamic_cast<RveLaw*>(s.law.get()))
-        return {{"predict", {"increments"}, {"predicted"}, [&s, rve] { rve->predict(s.batch()); }},
-                {"route", {"predicted"}, {"due"}, [&s, rve] { rve->route(s.batch()); }},
-                {"grains", {"due"}, {"stress"}, [&s, rve] { rve->drive(s.batch()); }}};
-    return {{"law", {"increments"}, {"stress"}, [&s] { s.law->update(s.batch()); }}};
+// The stages of the law, each with the batch of all points.
+void add_law(GroundState& s, std::vector<Phase>& phases) {
+    for (stress::Stage& stage : s.law->stages())
+        phases.push_back({std::move(stage.name), std::move(stage.reads), std::move(stage.writes),
+                          [&s, run = std::move(stage.run)] { run(s.batch()); }});
 }
 
 }  // namespace
 
 std::vector<Phase> step_phases(GroundState& s) {
     std::vector<Phase> phases = {
-        {"points to grid", {"points", "last stress"}, {"grid sums"}, [&s] { scatter_points(s); }},
-        {"contact", {"grid sums", "points"}, {"grid forces"}, [&s] { load_grid(s); }},
-        {"grid update", {"grid forces"}, {"grid motion"}, [&s] { move_grid(s); }},
-        {"grid to points", {"grid motion", "last stress"}, {"increments"}, [&s] { gather_points(s); }}};
-    for (Phase& phase : stress_phases(s)) phases.push_back(std::move(phase));
-    phases.push_back({"work", {"stress", "increments"}, {"energy"}, [&s] { account_work(s); }});
+        {"points to grid",
+         {{Data::points, 0}, {Data::stress, 0}, {Data::bodies, 0}, {Data::order, 0}},
+         {{Data::order, 1}, {Data::grid, 1}},
+         [&s] { scatter_points(s); }},
+        {"contact",
+         {{Data::grid, 1}, {Data::points, 0}, {Data::order, 1}, {Data::bodies, 0}, {Data::contact, 0}},
+         {{Data::grid, 2}, {Data::contact, 1}},
+         [&s] { load_grid(s); }},
+        {"grid update",
+         {{Data::grid, 2}, {Data::contact, 1}, {Data::bodies, 0}},
+         {{Data::grid, 3}, {Data::contact, 2}, {Data::bodies, 1}},
+         [&s] { move_grid(s); }},
+        {"grid to points",
+         {{Data::grid, 3}, {Data::points, 0}, {Data::order, 1}, {Data::stress, 0}},
+         {{Data::points, 1}, {Data::increments, 1}, {Data::order, 2}, {Data::energy, 1}},
+         [&s] { gather_points(s); }}};
+    add_law(s, phases);
+    phases.push_back({"work",
+                      {{Data::stress, settled}, {Data::increments, 1}, {Data::points, 1}, {Data::energy, 1}},
+                      {{Data::energy, 2}},
+                      [&s] { account_work(s); }});
     return phases;
 }
 

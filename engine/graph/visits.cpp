@@ -9,7 +9,7 @@ namespace sandgraph::graph {
 namespace {
 
 // Step-size control as for an ODE: the prediction's error grows about with the square of the change.
-double next_allowance(double change, double error, const VisitSettings& settings) {
+double next_admissible(double change, double error, const VisitSettings& settings) {
     const double factor =
         std::clamp(0.9 * std::sqrt(settings.update_tolerance / std::max(error, 1e-12)), 0.25, 2.0);
     return std::clamp(change * factor, 0.5 * settings.update_tolerance, settings.update_change_max);
@@ -20,25 +20,25 @@ double next_allowance(double change, double error, const VisitSettings& settings
 Visits::Visits(std::size_t points)
     : collected_(points, Mat2::Identity()),
       change_(points),
-      allowance_(points, 0),
+      admissible_(points, 0),
       waited_(points, 0),
       due_(points, 0) {}
 
 bool Visits::answered(std::int32_t point, double reference, double error, const VisitSettings& settings) {
     const auto p = static_cast<std::size_t>(point);
-    allowance_[p] = next_allowance(norm(change_[p]) / reference, error, settings);
+    admissible_[p] = next_admissible(norm(change_[p]) / reference, error, settings);
     collected_[p].setIdentity();
     change_[p] = {};
     return std::exchange(waited_[p], std::uint8_t{0}) != 0;
 }
 
 void Visits::save(ByteWriter& out) const {
-    out.put(change_), out.put(allowance_), out.put(waited_);
+    out.put(change_), out.put(admissible_), out.put(waited_);
     for (const Mat2& F : collected_) out.put(std::span<const double>(F.data(), 4));
 }
 
 void Visits::load(ByteReader& in) {
-    in.take_same(change_), in.take_same(allowance_), in.take_same(waited_);
+    in.take_same(change_), in.take_same(admissible_), in.take_same(waited_);
     for (Mat2& F : collected_) in.take(std::span<double>(F.data(), 4));
 }
 

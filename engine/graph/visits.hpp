@@ -14,8 +14,8 @@ namespace sandgraph::graph {
 inline double reference_pressure(const Stress& s, double floor) { return std::max(mean_stress(s), floor); }
 
 // A law is asked for a point's stress only now and then: between two answers the stress follows a stiffness.
-// How far it may go before the next one is each point's own allowance, which grows while predictions come
-// true and shrinks where they do not, so that the error stays near the tolerance.
+// How far it may go before the next one is each point's own admissible change, which grows while predictions
+// come true and shrinks where they do not, so that the error stays near the tolerance.
 class Visits {
   public:
     explicit Visits(std::size_t points);
@@ -40,7 +40,7 @@ class Visits {
   private:
     std::vector<Mat2> collected_;
     std::vector<Stress> change_;
-    std::vector<double> allowance_;           // share of p; 0: the law's tolerance
+    std::vector<double> admissible_;          // share of p; 0: the law's tolerance
     std::vector<std::uint8_t> waited_, due_;  // waited: the last step's stress was a prediction
 };
 
@@ -53,9 +53,9 @@ inline void Visits::predict(std::int32_t point, const PlaneModuli& moduli, const
     Stress& change = change_[p];
     add(change, d);
     if (!floating) turn(s, F_inc), add(s, d);
-    const double allowance = allowance_[p] > 0 ? allowance_[p] : settings.update_tolerance;
+    const double admissible = admissible_[p] > 0 ? admissible_[p] : settings.update_tolerance;
     // Not `change >= allowed`: a NaN must reach the law, which refuses it by name.
-    due_[p] = !(norm(change) < allowance * reference_pressure(s, floor));
+    due_[p] = !(norm(change) < admissible * reference_pressure(s, floor));
     if (!due_[p]) waited_[p] = 1;
 }
 

@@ -12,38 +12,51 @@
 namespace sandgraph::io {
 namespace {
 
+using stress::AuditRow, stress::Switch;
+
+// Enumerators are stored as their codes.
+template <class T>
+struct Stored {
+    using type = T;
+};
+template <>
+struct Stored<stress::Reason> {
+    using type = std::uint8_t;
+};
+
 template <class T, class Row>
 void write_column(h5::Group& group, const char* name, const std::vector<Row>& rows, T Row::*member,
                   const char* unit) {
-    std::vector<T> column;
-    for (const Row& row : rows) column.push_back(row.*member);
-    h5::write(group, name, std::span<const T>(column), {column.size()}, unit, h5::Storage::growing);
+    using Value = typename Stored<T>::type;
+    std::vector<Value> column;
+    for (const Row& row : rows) column.push_back(static_cast<Value>(row.*member));
+    h5::write(group, name, std::span<const Value>(column), {column.size()}, unit, h5::Storage::growing);
 }
 
 template <class T, class Row>
 void read_column(const h5::Group& group, const char* name, std::vector<Row>& rows, T Row::*member) {
-    const auto column = h5::read<T>(group, name);
+    const auto column = h5::read<typename Stored<T>::type>(group, name);
     if (rows.empty()) rows.resize(column.size());
     if (column.size() != rows.size())
         h5::refuse(group, group.path_of(name) + " differs in length", "all columns must agree");
-    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].*member = column[k];
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].*member = static_cast<T>(column[k]);
 }
 
 // One list of columns serves both directions.
 template <class Visit>
 void visit_switches(Visit&& visit) {
-    visit("step", &SwitchRow::step, ""), visit("d_over_B", &SwitchRow::d_over_B, "-");
-    visit("point", &SwitchRow::point, ""), visit("reason", &SwitchRow::reason, "");
-    visit("jump", &SwitchRow::jump, "share of p"), visit("felt", &SwitchRow::felt, "share of p");
-    visit("ordinary", &SwitchRow::ordinary, "share of p");
+    visit("step", &Switch::step, ""), visit("d_over_B", &Switch::d_over_B, "-");
+    visit("point", &Switch::point, ""), visit("reason", &Switch::reason, "");
+    visit("jump", &Switch::jump, "share of p"), visit("felt", &Switch::felt, "share of p");
+    visit("ordinary", &Switch::ordinary, "share of p");
 }
 
 template <class Visit>
 void visit_audits(Visit&& visit) {
-    visit("d_over_B", &AuditPoint::d_over_B, "-"), visit("points", &AuditPoint::points, "");
-    visit("population", &AuditPoint::population, "");
-    visit("stress_error_mean", &AuditPoint::mean, "share of p");
-    visit("ci95", &AuditPoint::ci95, "share of p");
+    visit("d_over_B", &AuditRow::d_over_B, "-"), visit("points", &AuditRow::points, "");
+    visit("population", &AuditRow::population, "");
+    visit("stress_error_mean", &AuditRow::mean, "share of p");
+    visit("ci95", &AuditRow::ci95, "share of p");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class Specimen {
 
     double pressure() const { return mean_stress(tension_positive(rve_.stress())); }
     void drive(const Mat2& F_inc) {
-        graph::RveUpdate update;
+        dem::RveUpdate update;
         update.F_inc = F_inc;
         update.report = rve_.update(F_inc, material_, options_, work_);
         update.stress = rve_.stress(), update.volume_ratio = rve_.volume_ratio();

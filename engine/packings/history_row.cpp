@@ -11,7 +11,7 @@ io::HistoryDensity density_of(const std::string& name) {
 
 }  // namespace
 
-io::HistoryRow history_row(const graph::RveUpdate& u) {
+io::HistoryRow history_row(const dem::RveUpdate& u) {
     const Stress s = tension_positive(u.stress);
     const dem::Observables& seen = u.seen;
     const auto real = [](double value) { return static_cast<float>(value); };

@@ -6,7 +6,7 @@
 namespace sandgraph::packings {
 
 // A DEM update as the history log keeps it; history, sequence, mode and dt are the caller's to fill.
-io::HistoryRow history_row(const graph::RveUpdate& update);
+io::HistoryRow history_row(const dem::RveUpdate& update);
 
 // The packing that histories start from; `grains` is its recipe.
 io::HistoryPacking history_packing(const graph::RowPacking& row, const stress::PackingTraits& traits,

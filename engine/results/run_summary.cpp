@@ -7,7 +7,6 @@
 
 #include "base/hash.hpp"
 #include "base/revision.hpp"
-#include "graph/rve_law.hpp"
 #include "results/analytic.hpp"
 #include "results/peak.hpp"
 #include "results/screening_summary.hpp"
@@ -46,18 +45,12 @@ void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
 }
 
 void add_grains(const graph::Pull& pull, io::Summary& s) {
-    if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(pull.state().law.get()))
-        return add_screening(*screening, s);
-    const auto* rve = dynamic_cast<const graph::RveLaw*>(pull.state().law.get());
-    if (!rve) return;
-    const graph::RveCounters& c = rve->counters();
-    s.dem_steps = c.dem_steps, s.rve_updates = c.updates;
-    s.dem_fraction_final = s.dem_fraction_mean = 1;  // full fidelity: every point is a packing
-    s.extra.emplace_back("rve_failures", static_cast<double>(c.failures));
-    s.extra.emplace_back("rve_owning_final", static_cast<double>(rve->owning()));
-    s.extra.emplace_back("prediction_error_mean",
-                         c.prediction_error_sum / std::max<double>(1, double(c.predicted)));
-    s.extra.emplace_back("inertial_number_max", c.inertial_number_max);
+    const stress::Law& law = *pull.state().law;
+    const stress::GrainUse grains = law.grain_use();
+    s.dem_steps = grains.dem_steps, s.rve_updates = grains.updates;
+    if (law.screening_log()) return add_screening(law, pull.state().points.size(), s);
+    if (law.answers() == stress::Answers::grains) s.dem_fraction_final = s.dem_fraction_mean = 1;
+    for (const auto& [name, value] : law.figures()) s.extra.emplace_back(name, value);
 }
 
 void add_history(const simulation::RunSession& session, io::Summary& s) {

@@ -19,15 +19,15 @@ double quantile(std::vector<double> values, double share) {
     return values[k];
 }
 
-void add_hand_over(const graph::ScreeningLaw& law, io::Summary& s) {
-    std::array<double, graph::reason_count> count{};
+void add_hand_over(const stress::ScreeningLog& log, io::Summary& s) {
+    std::array<double, stress::reason_count> count{};
     std::vector<double> jumps, felt, ordinary;
-    for (const graph::Switch& one : law.switches()) {
+    for (const stress::Switch& one : log.switches) {
         ++count[static_cast<std::size_t>(one.reason)];
         jumps.push_back(one.jump), felt.push_back(one.felt), ordinary.push_back(one.ordinary);
     }
     for (std::size_t r = 1; r < count.size(); ++r)
-        s.extra.emplace_back(kSwitches + graph::reason_names[r], count[r]);
+        s.extra.emplace_back(kSwitches + stress::reason_names[r], count[r]);
     s.extra.emplace_back("jump_p50", quantile(jumps, 0.5));
     s.extra.emplace_back("jump_p95", quantile(jumps, 0.95));
     s.extra.emplace_back("jump_max", quantile(jumps, 1));
@@ -35,7 +35,7 @@ void add_hand_over(const graph::ScreeningLaw& law, io::Summary& s) {
     s.extra.emplace_back("jump_felt_p95", quantile(felt, 0.95));
     s.extra.emplace_back("ordinary_step_p50", quantile(ordinary, 0.5));
     s.extra.emplace_back("ordinary_step_p95", quantile(ordinary, 0.95));
-    s.extra.emplace_back("jump_work_J_per_m", law.screening().jump_work);
+    s.extra.emplace_back("jump_work_J_per_m", log.counters.jump_work);
 }
 
 std::string reasons(const io::Summary& s) {
@@ -58,21 +58,22 @@ std::string felt_text(const io::Summary& s) {
 
 }  // namespace
 
-void add_screening(const graph::ScreeningLaw& law, io::Summary& s) {
-    const graph::ScreeningCounters& c = law.screening();
-    const auto points = static_cast<double>(law.size());
-    s.dem_steps = law.dem_steps(), s.rve_updates = law.counters().updates;
+void add_screening(const stress::Law& law, std::size_t points, io::Summary& s) {
+    const stress::ScreeningLog& log = *law.screening_log();
+    const stress::ScreeningCounters& c = log.counters;
+    const stress::GrainUse grains = law.grain_use();
+    const auto n = static_cast<double>(points);
     s.surrogate_updates = c.surrogate_updates;
-    s.dem_fraction_final = static_cast<double>(law.grain_points()) / points;
-    s.dem_fraction_mean = c.dem_points / std::max(1.0, static_cast<double>(c.steps)) / points;
-    const graph::AuditRow audit = law.audit();
+    s.dem_fraction_final = static_cast<double>(grains.active) / n;
+    s.dem_fraction_mean = c.dem_points / std::max(1.0, static_cast<double>(c.steps)) / n;
+    const stress::AuditRow audit = law.audit();
     s.audit = {static_cast<std::int64_t>(audit.points), audit.mean, audit.ci95};
-    s.extra.emplace_back("rve_failures", static_cast<double>(law.counters().failures));
+    s.extra.emplace_back("rve_failures", static_cast<double>(grains.failures));
     s.extra.emplace_back("failed_answers", static_cast<double>(c.failed_answers));
     s.extra.emplace_back("dem_steps_replay", static_cast<double>(c.replay_steps));
     s.extra.emplace_back("dem_steps_shadow", static_cast<double>(c.shadow_steps));
     s.extra.emplace_back("dem_steps_audit", static_cast<double>(c.audit_steps));
-    add_hand_over(law, s);
+    add_hand_over(log, s);
 }
 
 std::string screening_text(const io::Summary& s) {

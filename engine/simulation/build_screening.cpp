@@ -39,14 +39,10 @@ std::unique_ptr<stress::Law> screening_law(const scene::Scene& scene, const pack
 
 io::ScreeningRecord screening_record(const stress::Law& law) {
     io::ScreeningRecord out;
-    const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(&law);
-    if (!screening) return out;
-    out.reasons.assign(graph::reason_names.begin(), graph::reason_names.end());
-    for (const graph::Switch& s : screening->switches())
-        out.switches.push_back(
-            {s.step, s.d_over_B, s.point, static_cast<std::uint8_t>(s.reason), s.jump, s.felt, s.ordinary});
-    for (const graph::AuditRow& a : screening->audits())
-        out.audits.push_back({a.d_over_B, a.points, a.population, a.mean, a.ci95});
+    const stress::ScreeningLog* log = law.screening_log();
+    if (!log) return out;
+    out.reasons.assign(stress::reason_names.begin(), stress::reason_names.end());
+    out.switches = log->switches, out.audits = log->audits;
     return out;
 }
 

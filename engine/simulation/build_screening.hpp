@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "graph/screening_law.hpp"
+#include "graph/screening/law.hpp"
 #include "io/screening_record.hpp"
 #include "packings/prepare_ground.hpp"
 #include "scene/scene.hpp"

@@ -4,8 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/revision.hpp"
-#include "graph/rve_law.hpp"
-#include "graph/screening_law.hpp"
+#include "dem/packing/observe.hpp"
 #include "io/history_file.hpp"
 #include "packings/history_row.hpp"
 #include "simulation/history_points.hpp"
@@ -18,26 +17,15 @@ constexpr std::size_t kBlock = 2048;  // rows handed to the writer at once
 // Chooses the points of the log and has the law watch them: all over the ground at full fidelity, the audited
 // ones in a screening run.
 std::vector<std::int32_t> watch(graph::Pull& pull, const scene::Scene& scene) {
-    stress::Law* law = pull.state().law.get();
-    if (auto* screening = dynamic_cast<graph::ScreeningLaw*>(law)) {
-        screening->watch_audits();
-        return screening->audited();
-    }
-    if (auto* grains = dynamic_cast<graph::RveLaw*>(law)) {
-        auto chosen = history_points(pull.state().points, pull.state().plate.rectangle(), scene.anchor.width,
-                                     scene.output.history_points, scene.ground.grains.seed);
-        grains->watch(chosen);
-        return chosen;
-    }
-    throw InputError(scene.where("output.history"), "output.history = true",
-                     "a ground without grains has no DEM updates",
-                     "run with ground.law = \"rve\", or leave history out");
-}
-
-const std::vector<graph::RveUpdate>& watched(const stress::Law& law) {
-    if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(&law))
-        return screening->watched_updates();
-    return dynamic_cast<const graph::RveLaw&>(law).watched_updates();
+    const auto wanted =
+        history_points(pull.state().points, pull.state().plate.rectangle(), scene.anchor.width,
+                       scene.output.history_points, scene.ground.grains.seed);
+    stress::Law& law = *pull.state().law;
+    if (law.answers() == stress::Answers::formula)
+        throw InputError(scene.where("output.history"), "output.history = true",
+                         "a ground without grains has no DEM updates",
+                         "run with ground.law = \"rve\", or leave history out");
+    return law.watch(wanted);
 }
 
 std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene,
@@ -72,12 +60,12 @@ HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const packings::Prep
 }
 
 void HistoryRecorder::after_step(const graph::Pull& pull, BackgroundWriter& writer) {
-    for (const graph::RveUpdate& update : watched(*pull.state().law)) log(update, pull.time());
+    pull.state().law->each_watched_update([&](const dem::RveUpdate& update) { log(update, pull.time()); });
     if (pending_.size() >= kBlock) hand_over(writer);
 }
 
 // A history that loses one row is over, so logging ends for all at once.
-void HistoryRecorder::log(const graph::RveUpdate& update, double time) {
+void HistoryRecorder::log(const dem::RveUpdate& update, double time) {
     full_ = full_ || logged_ == rows_max_;
     if (full_) return;
     const std::int32_t history = history_of_[static_cast<std::size_t>(update.point)];

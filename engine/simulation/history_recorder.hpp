@@ -29,7 +29,7 @@ class HistoryRecorder {
     bool full() const { return full_; }
 
   private:
-    void log(const graph::RveUpdate& update, double time);
+    void log(const dem::RveUpdate& update, double time);
     void hand_over(BackgroundWriter& writer);
     std::filesystem::path journal_path() const { return folder_ / io::journal_name; }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mpm/audit.hpp"
-#include "simulation/grain_use.hpp"
 
 namespace sandgraph::simulation {
 namespace {
@@ -37,7 +36,7 @@ io::LoadRow LoadRecorder::row(const graph::Pull& pull, double load) const {
     out.kinetic_energy = factor_ * mpm::kinetic_energy(s.points, s.settings.scheme.mass_scaling);
     out.strain_work = factor_ * s.stress_work;
     out.plate_work = plate_work_;
-    const GrainUse grains = grain_use(*s.law);
+    const stress::GrainUse grains = s.law->grain_use();
     out.rve_active = static_cast<double>(grains.active);
     out.dem_steps = static_cast<double>(grains.dem_steps);
     return out;

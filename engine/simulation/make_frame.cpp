@@ -2,10 +2,11 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <map>
 
-#include "graph/screening_law.hpp"
-#include "simulation/point_sight.hpp"
+#include "dem/packing/observe.hpp"
+#include "graph/pull.hpp"
 
 namespace sandgraph::simulation {
 namespace {
@@ -25,23 +26,29 @@ using Three = std::array<double, 3>;
 using Four = std::array<double, 4>;
 
 // Of every point; points that still share their row's packing are looked at once.
-std::vector<dem::Observables> observe_all(const graph::RveLaw& law, std::size_t n) {
+std::vector<dem::Observables> observe_all(const stress::Law& law, const dem::Material& material,
+                                          std::size_t n) {
     std::map<const dem::CompactPacking*, dem::Observables> shared;
     std::vector<dem::Observables> out(n);
+    const auto rve = [&](std::size_t p) -> const dem::Rve& { return *law.observe(p).packing; };
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t p) {
-        if (law.rve(p).owns_packing()) out[p] = law.observe(p);
+        if (rve(p).owns_packing()) out[p] = dem::observe(rve(p), material);
     });
     for (std::size_t p = 0; p < n; ++p) {
-        if (law.rve(p).owns_packing()) continue;
-        const auto [place, fresh] = shared.try_emplace(&law.rve(p).packing());
-        if (fresh) place->second = law.observe(p);
+        if (rve(p).owns_packing()) continue;
+        const auto [place, fresh] = shared.try_emplace(&rve(p).packing());
+        if (fresh) place->second = dem::observe(rve(p), material);
         out[p] = place->second;
     }
     return out;
 }
 
-void add_fabric(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
-    const std::vector<dem::Observables> seen = observe_all(law, n);
+void add_grain_fields(const stress::Law& law, const dem::Material& material, std::size_t n,
+                      io::Frame& frame) {
+    frame.fields.push_back(field("owns packing", "-", 1, n, [&](std::size_t p) {
+        return One{double(law.observe(p).packing->owns_packing())};
+    }));
+    const std::vector<dem::Observables> seen = observe_all(law, material, n);
     frame.fields.push_back(field("fabric", "-", 3, n, [&](std::size_t p) {
         return Three{seen[p].fabric(0, 0), seen[p].fabric(1, 1), seen[p].fabric(0, 1)};
     }));
@@ -51,22 +58,23 @@ void add_fabric(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
         field("coordination number", "-", 1, n, [&](std::size_t p) { return One{seen[p].coordination}; }));
 }
 
-void add_rve_fields(const graph::RveLaw& law, std::size_t n, io::Frame& frame) {
-    frame.fields.push_back(field("owns packing", "-", 1, n,
-                                 [&](std::size_t p) { return One{double(law.rve(p).owns_packing())}; }));
-    add_fabric(law, n, frame);
-}
-
-void add_screening_fields(const graph::ScreeningLaw& law, std::size_t n, io::Frame& frame) {
+void add_screening_fields(const stress::Law& law, std::size_t n, io::Frame& frame) {
     frame.fields.push_back(
-        field("mode", "-", 1, n, [&](std::size_t p) { return One{static_cast<double>(law.mode(p))}; }));
+        field("mode", "-", 1, n, [&](std::size_t p) { return One{double(law.observe(p).mode)}; }));
     frame.fields.push_back(
-        field("audited error", "-", 1, n, [&](std::size_t p) { return One{law.audited_error(p)}; }));
+        field("audited error", "-", 1, n, [&](std::size_t p) { return One{law.observe(p).audited_error}; }));
 }
 
 }  // namespace
 
-io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, double initial_porosity) {
+double point_porosity(const graph::GroundState& s, std::size_t point, double initial_porosity) {
+    const double known = s.law->observe(point).porosity;
+    if (!std::isnan(known)) return known;
+    return 1 - (1 - initial_porosity) * s.points.volume0[point] / s.points.volume[point];
+}
+
+io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, double initial_porosity,
+                     const dem::Material& material) {
     const graph::GroundState& s = pull.state();
     const mpm::Points& g = s.points;
     const std::size_t n = g.size();
@@ -83,13 +91,10 @@ io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, do
     frame.fields.push_back(
         field("p", "Pa", 1, n, [&](std::size_t p) { return One{mean_stress(g.stress[p])}; }));
     frame.fields.push_back(field("q", "Pa", 1, n, [&](std::size_t p) { return One{deviator(g.stress[p])}; }));
-    frame.fields.push_back(field("porosity", "-", 1, n, [&](std::size_t p) {
-        return One{point_porosity(pull, p, initial_porosity)};
-    }));
-    if (const auto* rve = dynamic_cast<const graph::RveLaw*>(s.law.get()))
-        add_rve_fields(*rve, n, frame);
-    else if (const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(s.law.get()))
-        add_screening_fields(*screening, n, frame);
+    frame.fields.push_back(field("porosity", "-", 1, n,
+                                 [&](std::size_t p) { return One{point_porosity(s, p, initial_porosity)}; }));
+    if (s.law->answers() == stress::Answers::grains) add_grain_fields(*s.law, material, n, frame);
+    if (s.law->answers() == stress::Answers::screening) add_screening_fields(*s.law, n, frame);
     return frame;
 }
 

@@ -8,11 +8,10 @@
 #include "base/console.hpp"
 #include "base/error.hpp"
 #include "dem/packing/lab_packing.hpp"
-#include "graph/rve_law.hpp"
-#include "graph/screening_law.hpp"
+#include "dem/packing/observe.hpp"
 #include "io/packing_file.hpp"
 #include "mpm/kinematics.hpp"
-#include "simulation/point_sight.hpp"
+#include "simulation/make_frame.hpp"
 
 namespace sandgraph::simulation {
 namespace {
@@ -76,11 +75,15 @@ io::Spread lateral_pressure(const std::vector<std::size_t>& points, const std::v
     return out;
 }
 
-void add_packings(const graph::Pull& pull, const std::vector<std::size_t>& points, io::RegionRow& row) {
+// Of full fidelity only: in a screening run few points have a packing of their own.
+void add_packings(const graph::GroundState& s, const dem::Material& material,
+                  const std::vector<std::size_t>& points, io::RegionRow& row) {
     SpreadSum anisotropy, coordination;
-    for (const std::size_t p : points)
-        if (const auto seen = point_packing(pull, p))
-            anisotropy.add(seen->anisotropy), coordination.add(seen->coordination);
+    for (const std::size_t p : points) {
+        if (s.law->answers() != stress::Answers::grains) break;
+        const dem::Observables seen = dem::observe(*s.law->observe(p).packing, material);
+        anisotropy.add(seen.anisotropy), coordination.add(seen.coordination);
+    }
     row.anisotropy = anisotropy.spread(), row.coordination = coordination.spread();
 }
 
@@ -88,13 +91,6 @@ void add_packings(const graph::Pull& pull, const std::vector<std::size_t>& point
 std::string thousandths(double mark) {
     const double value = std::round(1e4 * mark) / 10;
     return value == std::round(value) ? fmt::format("{:04.0f}", value) : fmt::format("{:06.1f}", value);
-}
-
-// None where a surrogate or a formula answers.
-const dem::Rve* packing_at(const stress::Law& law, std::size_t point) {
-    if (const auto* grains = dynamic_cast<const graph::RveLaw*>(&law)) return &grains->rve(point);
-    const auto* screening = dynamic_cast<const graph::ScreeningLaw*>(&law);
-    return screening ? screening->packing(point) : nullptr;
 }
 
 }  // namespace
@@ -137,13 +133,13 @@ io::RegionRow RegionRecorder::row(const graph::Pull& pull, const Members& member
     row.sigma_yy = of([&](std::size_t p) { return -g.stress[p].yy; });
     row.sigma_xy = of([&](std::size_t p) { return -g.stress[p].xy; });
     row.K = lateral_pressure(members.points, g.stress, row);
-    row.porosity = of([&](std::size_t p) { return point_porosity(pull, p, initial_porosity_); });
+    row.porosity = of([&](std::size_t p) { return point_porosity(pull.state(), p, initial_porosity_); });
     row.strain = of([&](std::size_t p) { return mpm::equivalent_strain(g.F[p]); });
     row.volume_strain = of([&](std::size_t p) { return mpm::volumetric_strain(g.F[p]); });
     row.rotation = of([&](std::size_t p) { return mpm::rotation(g.F[p]); });
     row.x = of([&](std::size_t p) { return g.x[p]; });
     row.y = of([&](std::size_t p) { return g.y[p]; });
-    add_packings(pull, members.points, row);
+    add_packings(pull.state(), material_, members.points, row);
     return row;
 }
 
@@ -159,7 +155,8 @@ void RegionRecorder::keep_packings(const graph::Pull& pull, const std::filesyste
 void RegionRecorder::keep(const graph::Pull& pull, std::size_t region, double mark,
                           const std::filesystem::path& folder, BackgroundWriter& writer) const {
     const std::size_t point = members_[region].middle;
-    const dem::Rve* packing = packing_at(*pull.state().law, point);
+    // None where a surrogate or a formula answers.
+    const dem::Rve* packing = pull.state().law->observe(point).packing;
     if (!packing)
         return notice(fmt::format("[[region]] {}: no packing at d/B = {:g}, no grains answer there",
                                   regions_[region].name, mark));

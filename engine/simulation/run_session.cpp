@@ -9,11 +9,9 @@
 #include "base/hash.hpp"
 #include "base/interrupt.hpp"
 #include "base/revision.hpp"
-#include "graph/screening_law.hpp"
 #include "io/checkpoint.hpp"
 #include "scene/scene_hash.hpp"
 #include "simulation/build_screening.hpp"
-#include "simulation/grain_use.hpp"
 #include "simulation/make_frame.hpp"
 #include "simulation/progress.hpp"
 
@@ -105,10 +103,10 @@ RunEnd RunSession::run() {
         pull_->step();
         after_step();
         progress.update({pull_->steps(), pull_->d_over_B(), options_.until, last_load_,
-                         grain_use(*pull_->state().law).active});
+                         pull_->state().law->grain_use().active});
     }
     const bool all = went_all_the_way();
-    if (all) audit_at_end();
+    if (all) pull_->state().law->conclude(pull_->d_over_B());
     all ? wind_up() : checkpoint();
     if (history_ && !all) history_->write();
     return pull_->d_over_B() < options_.until - kReached ? RunEnd::interrupted : RunEnd::finished;
@@ -131,20 +129,16 @@ void RunSession::after_step() {
 
 void RunSession::record_frame() {
     skip_frames();
-    auto frame = std::make_shared<io::Frame>(make_frame(*pull_, start_, initial_porosity_));
+    auto frame = std::make_shared<io::Frame>(
+        make_frame(*pull_, start_, initial_porosity_, scene_.ground.grains.material));
     writer_.post([this, frame] { file_.append(*frame); });
-}
-
-void RunSession::audit_at_end() {
-    if (auto* law = dynamic_cast<graph::ScreeningLaw*>(pull_->state().law.get()))
-        law->audit_now(pull_->d_over_B());
 }
 
 void RunSession::note_costs() {
     writer_.drain();
     const stress::Law& law = *pull_->state().law;
     file_.set_screening(screening_record(law));
-    const GrainUse grains = grain_use(law);
+    const stress::GrainUse grains = law.grain_use();
     file_.set_counter("active", static_cast<double>(grains.active));
     file_.set_counter("dem_steps", static_cast<double>(grains.dem_steps));
     file_.set_counter("updates", static_cast<double>(grains.updates));

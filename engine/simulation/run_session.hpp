@@ -47,7 +47,6 @@ class RunSession {
     void checkpoint();
     void wind_up();
     void note_costs();
-    void audit_at_end();
     void archive(Archive& a);
     void resume();
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "graph/stress_audit.hpp"
+#include "graph/screening/audit.hpp"
 #include "io/run_record.hpp"
 #include "results/field_values.hpp"
 #include "results/finished_run.hpp"

@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     for (int step = 0; step < steps; ++step) {
         pull->step();
         Costs costs;
-        for (const dem::RveReport& r : law.last_reports()) costs.push_back(kVisit + r.dem_steps);
+        for (const graph::RveAnswer& a : law.last_answers()) costs.push_back(kVisit + a.report.dem_steps);
         for (const double c : costs) total += c, longest = std::max(longest, c);
         updates += static_cast<double>(costs.size());
         recorded.push_back(std::move(costs));

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "graph/screening_law.hpp"
+#include "graph/screening/law.hpp"
 #include "memory_archive.hpp"
 #include "mpm/parallel_bands.hpp"
 #include "small_pull.hpp"
@@ -70,12 +70,12 @@ TEST(SmallScreeningPull, HandsPointsOverAndBack) {
     const auto pull = support::small_screening_pull();
     for (int k = 0; k < kSteps; ++k) pull->step();
     const auto& law = dynamic_cast<const graph::ScreeningLaw&>(*pull->state().law);
-    EXPECT_GT(law.grain_points(), 2u);
-    EXPECT_LT(law.grain_points(), law.size());
-    EXPECT_GT(law.screening().replay_steps, 0);
-    EXPECT_GT(law.audits().size(), 1u);
-    const auto back = [](const graph::Switch& s) { return s.reason == graph::Reason::flow; };
-    EXPECT_GT(std::ranges::count_if(law.switches(), back), 2);
+    EXPECT_GT(law.modes().grain_points(), 2u);
+    EXPECT_LT(law.modes().grain_points(), law.size());
+    EXPECT_GT(law.screening_log()->counters.replay_steps, 0);
+    EXPECT_GT(law.screening_log()->audits.size(), 1u);
+    const auto back = [](const stress::Switch& s) { return s.reason == graph::Reason::critical_state; };
+    EXPECT_GT(std::ranges::count_if(law.screening_log()->switches, back), 2);
 }
 
 }  // namespace

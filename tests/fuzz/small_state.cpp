@@ -1,7 +1,7 @@
 #include "fuzz/small_state.hpp"
 
 #include "fuzz/samples.hpp"
-#include "graph/screening_law.hpp"
+#include "graph/screening/law.hpp"
 #include "mpm/layout.hpp"
 #include "tests/support/element_surrogate.hpp"
 

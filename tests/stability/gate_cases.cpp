@@ -36,10 +36,11 @@ Ride full_ride(Effort effort) {
 void check_switches(Ground& ground, const Ride& r, const Ride& full, Findings& found) {
     const graph::ScreeningLaw& law = ground.screening();
     double jump = 0;
-    for (const graph::Switch& s : law.switches()) jump += s.jump / static_cast<double>(law.switches().size());
+    for (const stress::Switch& s : law.screening_log()->switches)
+        jump += s.jump / static_cast<double>(law.screening_log()->switches.size());
     check_ride(ground, r, found);
     found.within("energy that the fading jumps put in, share of the plate's work",
-                 law.screening().jump_work / ground.plate_work(), -0.1, 0.1);
+                 law.screening_log()->counters.jump_work / ground.plate_work(), -0.1, 0.1);
     found.note("mean stress jump at a switch, share of p", jump);
     found.at_most("kinetic energy over the plate's work, times that of packings alone",
                   r.kinetic_share / full.kinetic_share, 1.5);
@@ -65,7 +66,7 @@ void checkerboard(Effort effort, Findings& found) {
     check_switches(ground, r, full_ride(effort), found);
     double blacks = 0, handed = 0, others = 0;
     for (std::size_t p = 0; p < ground.points().size(); ++p) blacks += black(static_cast<std::int32_t>(p));
-    for (const graph::Switch& s : ground.screening().switches()) (black(s.point) ? handed : others) += 1;
+    for (const stress::Switch& s : ground.screening().switches()) (black(s.point) ? handed : others) += 1;
     found.exactly("black squares handed over, share of them", handed / blacks, 1);
     found.at_most("white squares handed over, share of the points",
                   others / static_cast<double>(ground.points().size()), 0.05);

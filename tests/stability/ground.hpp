@@ -5,7 +5,7 @@
 
 #include "graph/ground_state.hpp"
 #include "graph/rve_law.hpp"
-#include "graph/screening_law.hpp"
+#include "graph/screening/law.hpp"
 #include "graph/step_graph.hpp"
 #include "stress/mohr_coulomb.hpp"
 

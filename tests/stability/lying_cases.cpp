@@ -50,11 +50,11 @@ Told told(Effort effort, Lie lie, bool gate) {
     }
     auto& law = dynamic_cast<graph::ScreeningLaw&>(*ground.state().law);
     law.audit_now(0.02);
-    for (const graph::AuditRow& a : law.audits())
+    for (const stress::AuditRow& a : law.screening_log()->audits)
         if (a.points > 1) out.audit = std::max(out.audit, a.mean);
     const auto size = static_cast<double>(law.size());
-    out.failed_share = static_cast<double>(law.screening().failed_answers) / size;
-    out.by_grains = static_cast<double>(law.grain_points()) / size;
+    out.failed_share = static_cast<double>(law.screening_log()->counters.failed_answers) / size;
+    out.by_grains = static_cast<double>(law.modes().grain_points()) / size;
     return out;
 }
 

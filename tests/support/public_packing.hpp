@@ -22,4 +22,11 @@ inline stress::PackingTraits public_traits() {
         mean_stress(tension_positive(public_packing().packing->stress)), 0.16, 2.0e7, 1.4e7, 3.5, 0, 0, 0.5};
 }
 
+// The watched updates of the last step.
+inline std::vector<dem::RveUpdate> watched(const stress::Law& law) {
+    std::vector<dem::RveUpdate> out;
+    law.each_watched_update([&](const dem::RveUpdate& update) { out.push_back(update); });
+    return out;
+}
+
 }  // namespace sandgraph::support

@@ -8,7 +8,7 @@
 #include "dem/fast/fast.hpp"
 #include "dem/packing/observe.hpp"
 #include "element_surrogate.hpp"
-#include "graph/screening_law.hpp"
+#include "graph/screening/law.hpp"
 #include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
 
@@ -112,11 +112,12 @@ std::string digest(const graph::Pull& pull) {
     std::string out = fmt::format("{:a} {:a}\n", pull.load(), pull.state().stress_work);
     if (const auto* law = dynamic_cast<const graph::ScreeningLaw*>(pull.state().law.get())) {
         for (std::size_t p = 0; p < law->size(); ++p)
-            out += fmt::format("{} {:a} ", static_cast<int>(law->mode(p)), law->audited_error(p));
-        for (const graph::Switch& s : law->switches())
+            out += fmt::format("{} {:a} ", static_cast<int>(law->modes()[p]), law->observe(p).audited_error);
+        for (const stress::Switch& s : law->screening_log()->switches)
             out += fmt::format("{} {} {:a}\n", s.step, s.point, s.jump);
-        for (const graph::AuditRow& a : law->audits()) out += fmt::format("{:a} {:a}\n", a.mean, a.ci95);
-        out += fmt::format("{} {:a}\n", law->dem_steps(), law->screening().jump_work);
+        for (const stress::AuditRow& a : law->screening_log()->audits)
+            out += fmt::format("{:a} {:a}\n", a.mean, a.ci95);
+        out += fmt::format("{} {:a}\n", law->grain_use().dem_steps, law->screening_log()->counters.jump_work);
     }
     for (std::size_t p = 0; p < g.size(); ++p)
         out += fmt::format("{:a} {:a} {:a} {:a} {:a} {:a} {:a}\n", g.x[p], g.y[p], g.vx[p], g.vy[p],

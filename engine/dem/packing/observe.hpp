@@ -33,4 +33,14 @@ Observables observe(const Packing& packing, std::span<const ContactForce> contac
 // `porosity` includes what a floating packing has opened.
 Observables observe(const Rve& rve, const Material& material);
 
+// What a DEM update of a watched point did, for the history log.
+struct RveUpdate {
+    std::int32_t point = 0;
+    Mat2 F_inc = Mat2::Identity();  // since the point's previous update, with its spin
+    RveReport report;
+    Mat2 stress = Mat2::Zero();  // after it [Pa], compression positive, lab frame, not symmetrised
+    double volume_ratio = 1;     // J since the start
+    Observables seen;            // lab frame
+};
+
 }  // namespace sandgraph::dem

@@ -65,7 +65,7 @@ int refused(Law& law, const std::vector<std::uint8_t>& whole, std::size_t stride
 
 TEST(DamagedState, OfAScreeningLawIsRefusedOrWrittenBackAsItWasRead) {
     auto bench = sheared();
-    ASSERT_GT(bench.law.grain_points(), 0u);
+    ASSERT_GT(bench.law.modes().grain_points(), 0u);
     const auto whole = saved(bench.law);
     EXPECT_GT(refused(bench.law, whole, 211), 10);
     load(bench.law, whole);

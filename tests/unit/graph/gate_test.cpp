@@ -1,10 +1,10 @@
-#include "graph/gate.hpp"
+#include "graph/screening/gate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "graph/acoustic.hpp"
+#include "graph/screening/acoustic.hpp"
 
 namespace sandgraph::graph {
 namespace {

@@ -107,7 +107,7 @@ TEST(RveLaw, WatchedUpdatesReplayToTheSameStress) {
     int updates = 0;
     for (int step = 0; step < 300; ++step) {
         shear_unevenly(bench, step);
-        for (const RveUpdate& u : bench.law.watched_updates()) {
+        for (const dem::RveUpdate& u : support::watched(bench.law)) {
             ++updates;
             EXPECT_EQ(u.point, 1);
             EXPECT_EQ(twin.update(u.F_inc, {}, {}, work).dem_steps, u.report.dem_steps);
@@ -129,7 +129,7 @@ TEST(RveLaw, WatchingChangesNoBit) {
     }
     EXPECT_GT(updates, 2u);
     EXPECT_EQ(watched.stress, alone.stress);
-    EXPECT_TRUE(alone.law.watched_updates().empty());
+    EXPECT_TRUE(support::watched(alone.law).empty());
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #pragma once
-#include "graph/screening_law.hpp"
+#include "graph/screening/law.hpp"
 #include "graph/stress_arithmetic.hpp"
 #include "tests/support/element_surrogate.hpp"
 #include "tests/support/public_packing.hpp"
 
 // A few points under a law, driven by given increments.
 namespace sandgraph::graph {
+
+using support::watched;
 
 inline ScreeningSetup setup_of(std::size_t points, double strain) {
     ScreeningSetup s;

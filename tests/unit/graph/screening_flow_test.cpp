@@ -10,9 +10,10 @@
 namespace sandgraph::graph {
 namespace {
 
-const Switch& last_switch(const ScreeningLaw& law, std::int32_t point) {
-    const auto of_point = [&](const Switch& s) { return s.point == point; };
-    return *std::find_if(law.switches().rbegin(), law.switches().rend(), of_point);
+const stress::Switch& last_switch(const ScreeningLaw& law, std::int32_t point) {
+    const auto of_point = [&](const stress::Switch& s) { return s.point == point; };
+    return *std::find_if(law.screening_log()->switches.rbegin(), law.screening_log()->switches.rend(),
+                         of_point);
 }
 
 // At 7.2e-3 of strain it has been by grains from 2e-3 to 4e-3; 40 steps later nothing is left of the jump.
@@ -21,13 +22,13 @@ TEST(ScreeningLaw, APointThatFlowsGoesBackToTheSurrogateThatHasFollowedIt) {
     setup.gate.flow = 4e-3, alone.gate.active = false;
     auto bench = screening(3, setup), surrogate = screening(3, alone);
     shear(bench, 800), shear(surrogate, 800);
-    ASSERT_EQ(bench.law.mode(2), PointMode::flow);
-    EXPECT_EQ(last_switch(bench.law, 2).reason, Reason::flow);
-    EXPECT_FALSE(bench.law.by_grains(2));
-    const std::int64_t paid = bench.law.dem_steps();
+    ASSERT_EQ(bench.law.modes()[2], PointMode::critical_state);
+    EXPECT_EQ(last_switch(bench.law, 2).reason, Reason::critical_state);
+    EXPECT_FALSE(bench.law.modes().by_grains(2));
+    const std::int64_t paid = bench.law.grain_use().dem_steps;
     bench.F[1] = Mat2::Identity(), shear(surrogate, 100);
     for (int k = 0; k < 100; ++k) bench.law.update(bench.batch());
-    EXPECT_EQ(bench.law.dem_steps(), paid);
+    EXPECT_EQ(bench.law.grain_use().dem_steps, paid);
     EXPECT_LT(share(bench.stress[2], surrogate.stress[2]), 0.01);
 }
 
@@ -41,9 +42,9 @@ TEST(ScreeningLaw, TheStressDoesNotJumpWhereAPointGoesBack) {
         shear(bench, 1);
         largest = std::max(largest, norm(difference(bench.stress[2], before)));
     }
-    ASSERT_EQ(last_switch(bench.law, 2).reason, Reason::flow);
+    ASSERT_EQ(last_switch(bench.law, 2).reason, Reason::critical_state);
     double jumps = 0;
-    for (const Switch& s : bench.law.switches()) jumps += s.jump * 32e3;
+    for (const stress::Switch& s : bench.law.screening_log()->switches) jumps += s.jump * 32e3;
     EXPECT_LT(largest, 0.05 * jumps + 0.03 * 32e3);
 }
 
@@ -52,7 +53,7 @@ TEST(ScreeningLaw, TellsWhatTheGroundFeelsOfAJump) {
     ScreeningSetup setup = setup_of(3, 2e-3);
     setup.gate.flow = 0;
     auto bench = screening(3, setup);
-    while (!bench.law.by_grains(2)) shear(bench, 1);
+    while (!bench.law.modes().by_grains(2)) shear(bench, 1);
     std::array<double, 2> largest{};
     for (int k = 0; k < 80; ++k) {
         const Stress before = bench.stress[2];
@@ -82,10 +83,10 @@ TEST(ScreeningLaw, ASurrogateThatFailsWhileItsJumpFadesIsReplacedAgain) {
     const auto mortal = std::make_shared<Mortal>();
     setup.gate.flow = 4e-3, setup.surrogate = mortal, setup.hand_over.blend_steps = 41;
     auto bench = screening(3, setup);
-    while (bench.law.mode(2) != PointMode::flow) shear(bench, 1);
+    while (bench.law.modes()[2] != PointMode::critical_state) shear(bench, 1);
     mortal->dead = true;
     shear(bench, 200);
-    EXPECT_EQ(bench.law.mode(2), PointMode::grains);
+    EXPECT_EQ(bench.law.modes()[2], PointMode::grains);
     for (const Stress& s : bench.stress) EXPECT_TRUE(std::isfinite(norm(s)));
     EXPECT_LT(norm(bench.stress[2]), 5 * 32e3);
 }
@@ -97,13 +98,13 @@ TEST(ScreeningLaw, TheAuditOfAPointThatFlowsGoesOn) {
     auto bench = screening(3, setup);
     auto reference = full(3);
     shear(bench, 900), shear(reference, 900);
-    ASSERT_EQ(bench.law.mode(2), PointMode::flow);
-    EXPECT_NEAR(bench.law.audited_error(2), share(bench.stress[2], reference.stress[2]), 0.02);
-    const auto of_it = [](const RveUpdate& u) { return u.point == 2; };
-    bench.law.watch_audits();
+    ASSERT_EQ(bench.law.modes()[2], PointMode::critical_state);
+    EXPECT_NEAR(bench.law.observe(2).audited_error, share(bench.stress[2], reference.stress[2]), 0.02);
+    const auto of_it = [](const dem::RveUpdate& u) { return u.point == 2; };
+    bench.law.watch({});
     for (int k = 0; k < 100; ++k) {
         shear(bench, 1);
-        EXPECT_TRUE(std::ranges::none_of(bench.law.watched_updates(), of_it)) << "its log has a gap";
+        EXPECT_TRUE(std::ranges::none_of(watched(bench.law), of_it)) << "its log has a gap";
     }
 }
 

@@ -1,4 +1,4 @@
-#include "graph/screening_law.hpp"
+#include "graph/screening/law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,9 +36,9 @@ TEST(ScreeningLaw, WithoutAGateTakesNoDemStep) {
     setup.gate.active = false;
     auto bench = screening(3, setup);
     shear(bench, 500);
-    EXPECT_EQ(bench.law.dem_steps(), 0);
-    EXPECT_GT(bench.law.screening().surrogate_updates, 0);
-    EXPECT_EQ(bench.law.grain_points(), 0u);
+    EXPECT_EQ(bench.law.grain_use().dem_steps, 0);
+    EXPECT_GT(bench.law.screening_log()->counters.surrogate_updates, 0);
+    EXPECT_EQ(bench.law.modes().grain_points(), 0u);
 }
 
 TEST(ScreeningLaw, WithAThresholdOfZeroGivesTheBitsOfFullFidelity) {
@@ -52,15 +52,15 @@ TEST(ScreeningLaw, PointsPastTheGateGoOverToTheirGrains) {
     auto bench = screening(3, setup_of(3, 2e-3));
     auto reference = full(3);
     shear(bench, 900), shear(reference, 900);  // point 1 to 3.6e-3, point 2 to 7.2e-3
-    EXPECT_EQ(bench.law.mode(0), PointMode::surrogate);
-    ASSERT_EQ(bench.law.mode(1), PointMode::grains);
-    ASSERT_EQ(bench.law.mode(2), PointMode::grains);
+    EXPECT_EQ(bench.law.modes()[0], PointMode::surrogate);
+    ASSERT_EQ(bench.law.modes()[1], PointMode::grains);
+    ASSERT_EQ(bench.law.modes()[2], PointMode::grains);
     EXPECT_LT(share(bench.stress[1], reference.stress[1]), 0.05);
     EXPECT_LT(share(bench.stress[2], reference.stress[2]), 0.05);
-    ASSERT_EQ(bench.law.switches().size(), 2u);
-    EXPECT_EQ(bench.law.switches()[0].point, 2);
-    EXPECT_EQ(bench.law.switches()[0].reason, Reason::strain);
-    EXPECT_GT(bench.law.screening().replay_steps, 0);
+    ASSERT_EQ(bench.law.screening_log()->switches.size(), 2u);
+    EXPECT_EQ(bench.law.screening_log()->switches[0].point, 2);
+    EXPECT_EQ(bench.law.screening_log()->switches[0].reason, Reason::strain);
+    EXPECT_GT(bench.law.screening_log()->counters.replay_steps, 0);
 }
 
 TEST(ScreeningLaw, TheStressDoesNotJumpWhereAPointIsHandedOver) {
@@ -71,8 +71,8 @@ TEST(ScreeningLaw, TheStressDoesNotJumpWhereAPointIsHandedOver) {
         shear(bench, 1);
         largest = std::max(largest, norm(difference(bench.stress[2], before)));
     }
-    ASSERT_GT(bench.law.switches().size(), 0u);
-    const double jump = bench.law.switches()[0].jump * 32e3;
+    ASSERT_GT(bench.law.screening_log()->switches.size(), 0u);
+    const double jump = bench.law.screening_log()->switches[0].jump * 32e3;
     EXPECT_GT(jump, 0);
     EXPECT_LT(largest, 0.05 * jump + 0.03 * 32e3);
 }
@@ -84,10 +84,10 @@ TEST(ScreeningLaw, AuditsChangeNoBitOfTheGround) {
     shear(a, 700), shear(b, 700);
     EXPECT_EQ(a.stress, b.stress);
     a.law.audit_now(1);
-    EXPECT_GT(a.law.audits().back().points, 0);
-    EXPECT_GT(a.law.audits().back().mean, 0);
-    EXPECT_GT(a.law.screening().audit_steps, 0);
-    EXPECT_TRUE(std::isnan(b.law.audited_error(0)));
+    EXPECT_GT(a.law.screening_log()->audits.back().points, 0);
+    EXPECT_GT(a.law.screening_log()->audits.back().mean, 0);
+    EXPECT_GT(a.law.screening_log()->counters.audit_steps, 0);
+    EXPECT_TRUE(std::isnan(b.law.observe(0).audited_error));
 }
 
 TEST(ScreeningLaw, TheAuditSeesTheErrorThatIsThere) {
@@ -96,7 +96,7 @@ TEST(ScreeningLaw, TheAuditSeesTheErrorThatIsThere) {
     auto bench = screening(3, setup);
     auto reference = full(3);
     shear(bench, 800), shear(reference, 800);
-    EXPECT_NEAR(bench.law.audited_error(2), share(bench.stress[2], reference.stress[2]), 0.05);
+    EXPECT_NEAR(bench.law.observe(2).audited_error, share(bench.stress[2], reference.stress[2]), 0.05);
 }
 
 class BrokenSurrogate : public testing::TestWithParam<double> {};
@@ -108,10 +108,10 @@ TEST_P(BrokenSurrogate, IsReplacedByTheGrains) {
     auto bench = screening(3, setup);
     auto reference = full(3);
     shear(bench, 900), shear(reference, 900);
-    ASSERT_EQ(bench.law.mode(2), PointMode::grains);
+    ASSERT_EQ(bench.law.modes()[2], PointMode::grains);
     EXPECT_LT(share(bench.stress[2], reference.stress[2]), 0.05);
-    EXPECT_EQ(bench.law.switches()[0].reason, Reason::failed_answer);
-    EXPECT_GE(bench.law.screening().failed_answers, 1);
+    EXPECT_EQ(bench.law.screening_log()->switches[0].reason, Reason::failed_answer);
+    EXPECT_GE(bench.law.screening_log()->counters.failed_answers, 1);
     EXPECT_EQ(bench.law.counters().failures, 0);
 }
 
@@ -125,14 +125,14 @@ TEST(ScreeningLaw, NeighboursGoOverWithAPoint) {
     for (int k = 0; k < 400; ++k) {
         for (auto& F : bench.F) F << 1 + 5e-7, 0, 0, 1 - 5e-7;
         bench.F[3] << 1 + 5e-6, 0, 0, 1 - 5e-6;
-        bench.law.predict(bench.batch()), bench.law.route(bench.batch());
-        bench.law.ask(bench.batch()), bench.law.drive(bench.batch());
-        bench.law.hand_over(bench.batch(), {bench.x, bench.y, bench.volume, 1, 1e-3 * k});
+        stress::Batch batch = bench.batch();
+        batch.around = {bench.x, bench.y, bench.volume, 1, 1e-3 * k};
+        bench.law.update(batch);
     }
-    for (std::size_t p = 0; p < 6; ++p) EXPECT_EQ(bench.law.by_grains(p), p >= 2 && p <= 4) << p;
-    for (const Switch& s : bench.law.switches())
+    for (std::size_t p = 0; p < 6; ++p) EXPECT_EQ(bench.law.modes().by_grains(p), p >= 2 && p <= 4) << p;
+    for (const stress::Switch& s : bench.law.screening_log()->switches)
         EXPECT_EQ(s.reason, s.point == 3 ? Reason::strain : Reason::neighbour);
-    EXPECT_NE(bench.law.screening().jump_work, 0);
+    EXPECT_NE(bench.law.screening_log()->counters.jump_work, 0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "graph/stress_audit.hpp"
+#include "graph/screening/audit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,11 @@
 
 #include "base/byte_stream.hpp"
 #include "base/tensor.hpp"
-#include "graph/screening.hpp"
+#include "stress/screening_log.hpp"
 
 namespace sandgraph::graph {
+
+using stress::Switch;
 
 // What the ground feels of a hand-over: the largest change of the stress that it is given in one step while
 // the jump fades (Switch::felt), and in as many steps after that, when nothing fades any more

@@ -1,4 +1,4 @@
-#include "graph/acoustic.hpp"
+#include "graph/screening/acoustic.hpp"
 
 #include <Eigen/LU>
 #include <array>

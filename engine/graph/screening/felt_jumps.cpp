@@ -1,4 +1,4 @@
-#include "graph/felt_jumps.hpp"
+#include "graph/screening/felt_jumps.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "graph/gate.hpp"
+#include "graph/screening/gate.hpp"
 
 #include <Eigen/LU>
 #include <cmath>

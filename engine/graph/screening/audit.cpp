@@ -1,4 +1,4 @@
-#include "graph/stress_audit.hpp"
+#include "graph/screening/audit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,13 @@
 #include <numeric>
 
 #include "base/random.hpp"
+#include "graph/stress_arithmetic.hpp"
+#include "graph/visits.hpp"
 
 namespace sandgraph::graph {
-
 namespace {
+
+constexpr double kFloor = 1000;  // mean stress that errors are shares of, at least [Pa]
 
 // Means of the values and one more, unseen, under weights drawn evenly from all that add up to 1: at the top
 // of the range (unseen = audit_cap) their 97.5 % quantile bounds the true mean from above, at its bottom
@@ -59,6 +62,32 @@ AuditRow estimate(std::span<const double> sample, std::size_t population) {
     if (sample.size() < 2) return row;
     row.ci95 = n < N ? half_width(errors, row.mean) * std::sqrt(1 - n / N) : 0;
     return row;
+}
+
+AuditSample::AuditSample(std::size_t points, const AuditSettings& settings)
+    : points_(draw_sample(points, settings)),
+      place_of_(points, -1),
+      errors_(points_.size(), 0),
+      every_(settings.every) {
+    for (std::size_t k = 0; k < points_.size(); ++k)
+        place_of_[static_cast<std::size_t>(points_[k])] = static_cast<std::int32_t>(k);
+}
+
+void AuditSample::measure(std::int32_t place, const Stress& answered, const Stress& truth) {
+    errors_[static_cast<std::size_t>(place)] =
+        norm(difference(answered, truth)) / reference_pressure(truth, kFloor);
+}
+
+void AuditSample::schedule_after(double d_over_B) {
+    while (next_ <= d_over_B) next_ += every_;
+}
+
+// The sample itself comes from the settings; the scene's hash tells that it is the same.
+void AuditSample::save(ByteWriter& out) const { out.put(errors_), out.put(next_); }
+
+void AuditSample::load(ByteReader& in) {
+    in.take_same(errors_), in.take(next_);
+    require_state(next_ >= 0, "audits");
 }
 
 }  // namespace sandgraph::graph
