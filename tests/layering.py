@@ -30,7 +30,7 @@ ARROWS = {
     "packings": {"base", "dem", "stress", "graph", "scene", "io"},
     "laboratory": {"base", "dem", "stress", "graph", "scene", "io", "packings"},
     "simulation": {"base", "dem", "mpm", "stress", "graph", "scene", "io", "packings", "surrogate"},
-    "results": {"base", "mpm", "graph", "scene", "io", "packings", "simulation", "surrogate"},
+    "results": {"base", "mpm", "stress", "graph", "scene", "io", "packings", "simulation", "surrogate"},
     "report": {"base", "dem", "mpm", "scene", "io", "laboratory", "results"},
     "app": {"base", "dem", "stress", "graph", "scene", "io", "packings", "laboratory", "simulation", "results",
             "report", "surrogate"},

@@ -66,7 +66,7 @@ void checkerboard(Effort effort, Findings& found) {
     check_switches(ground, r, full_ride(effort), found);
     double blacks = 0, handed = 0, others = 0;
     for (std::size_t p = 0; p < ground.points().size(); ++p) blacks += black(static_cast<std::int32_t>(p));
-    for (const stress::Switch& s : ground.screening().switches()) (black(s.point) ? handed : others) += 1;
+    for (const stress::Switch& s : ground.screening().screening_log()->switches) (black(s.point) ? handed : others) += 1;
     found.exactly("black squares handed over, share of them", handed / blacks, 1);
     found.at_most("white squares handed over, share of the points",
                   others / static_cast<double>(ground.points().size()), 0.05);
@@ -84,7 +84,7 @@ void all_at_once(Effort effort, Findings& found) {
     Ground ground(spec);
     const Ride r = pull(ground, rate(effort), kDistance);
     check_switches(ground, r, full_ride(effort), found);
-    const auto& switches = ground.screening().switches();
+    const auto& switches = ground.screening().screening_log()->switches;
     found.exactly("points handed over", static_cast<double>(switches.size()),
                   static_cast<double>(ground.points().size()));
     found.at_most("steps from the first switch to the last",
@@ -110,7 +110,7 @@ void in_mid_peak(Effort effort, Findings& found) {
             return ground.travelled() < kDistance;
         });
     check_switches(ground, r, full_ride(effort), found);
-    found.at_least("points handed over", static_cast<double>(ground.screening().switches().size()), 50);
+    found.at_least("points handed over", static_cast<double>(ground.screening().screening_log()->switches.size()), 50);
 }
 
 constexpr std::array table = {Case{"gate.checkerboard", checkerboard}, Case{"gate.all_at_once", all_at_once},
