@@ -125,7 +125,7 @@ TEST(RveLaw, WatchingChangesNoBit) {
     std::size_t updates = 0;
     for (int step = 0; step < 100; ++step) {
         shear_unevenly(watched, step), shear_unevenly(alone, step);
-        updates += watched.law.watched_updates().size();
+        updates += support::watched(watched.law).size();
     }
     EXPECT_GT(updates, 2u);
     EXPECT_EQ(watched.stress, alone.stress);
