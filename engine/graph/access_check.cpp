@@ -46,16 +46,18 @@ class Digest final : public Archive {
 
 std::uint64_t contact_of(const GroundState& s) {
     Hasher hash;
-    add(hash, s.contact.slip), add(hash, s.contact.face);
-    for (const Vec2& force : s.contact.reaction.on) add(hash, force.x()), add(hash, force.y());
-    for (const mpm::Touch& t : s.contact.touches)
-        add(hash, t.point), add(hash, t.penetration), add(hash, t.length);
+    for (const Body& body : s.bodies) {
+        add(hash, body.contact.slip), add(hash, body.contact.face);
+        for (const Vec2& force : body.contact.reaction.on) add(hash, force.x()), add(hash, force.y());
+        for (const mpm::Touch& t : body.contact.touches)
+            add(hash, t.point), add(hash, t.penetration), add(hash, t.length);
+    }
     return hash.value();
 }
 
 std::uint64_t bodies_of(GroundState& s) {
     Digest digest;
-    mpm::archive(digest, s.plate);
+    for (Body& body : s.bodies) mpm::archive(digest, body.plate);
     return digest.value();
 }
 

@@ -18,9 +18,15 @@ namespace sandgraph::graph {
 struct StepSettings {
     double dt = 0;  // [s]
     mpm::Scheme scheme;
-    double gravity = 0;    // [m/s2], downwards
-    double surcharge = 0;  // [Pa]
+    Vec2 gravity = Vec2::Zero();  // [m/s2]
+    double surcharge = 0;         // [Pa]
     mpm::Boundaries boundaries;
+};
+
+// A rigid body in the ground and what it feels of it.
+struct Body {
+    mpm::RigidPlate plate;
+    mpm::Contact contact;
 };
 
 // Everything that changes from step to step: the typed state that the phases work on.
@@ -31,16 +37,16 @@ struct GroundState {
     mpm::Points points;
     mpm::Grid grid;
     mpm::Order order;
-    bool has_plate = false;
-    mpm::RigidPlate plate;
-    mpm::Contact contact;
+    std::vector<Body> bodies;
     std::unique_ptr<stress::Law> law;
     std::vector<std::int32_t> all_points;  // 0 .. N-1, the law's batch
     mpm::Status status;
-    double d_over_B = 0;     // of the plate, before this step
+    double d_over_B = 0;     // of the anchor before this step, for the law's records; 0 without one
     double stress_work = 0;  // accumulated sum of V sigma : d(eps), mid-step [J/m]
     double work_before = 0;  // this step's half, with the old stress
 
+    // std::logic_error for a second body: the grid divides its nodes along one only.
+    void add_body(const mpm::RigidPlate& plate);
     stress::Batch batch() {
         return {all_points,
                 points.F_inc,

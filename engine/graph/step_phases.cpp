@@ -10,23 +10,24 @@ namespace sandgraph::graph {
 namespace {
 
 void scatter_points(GroundState& s) {
-    if (s.has_plate) mpm::set_divide(s.grid, mpm::divide_of(s.plate), s.points.half);
+    for (const Body& body : s.bodies) mpm::set_divide(s.grid, mpm::divide_of(body.plate), s.points.half);
     mpm::refresh(s.order, s.points, s.grid);
     mpm::points_to_grid(s.points, s.order, s.grid);
 }
 
 void load_grid(GroundState& s) {
     if (s.settings.surcharge != 0) mpm::add_surcharge(s.settings.surcharge, s.points, s.grid);
-    if (s.has_plate) mpm::add_contact(s.plate, s.points, s.order, s.grid, s.contact);
+    for (Body& body : s.bodies) mpm::add_contact(body.plate, s.points, s.order, s.grid, body.contact);
 }
 
 void move_grid(GroundState& s) {
     const StepSettings& set = s.settings;
-    mpm::update_grid(
-        {set.dt, Vec2(0, -set.gravity), set.scheme.damping, set.scheme.mass_scaling, set.boundaries}, s.grid);
-    if (!s.has_plate) return;
-    mpm::advance_slip(s.plate, s.grid, set.dt, s.contact);
-    mpm::advance(s.plate, set.dt);
+    mpm::update_grid({set.dt, set.gravity, set.scheme.damping, set.scheme.mass_scaling, set.boundaries},
+                     s.grid);
+    for (Body& body : s.bodies) {
+        mpm::advance_slip(body.plate, s.grid, set.dt, body.contact);
+        mpm::advance(body.plate, set.dt);
+    }
 }
 
 void gather_points(GroundState& s) {

@@ -12,9 +12,10 @@ constexpr const char* file_group = "regions";
 
 void write_columns(h5::Group group, const RegionSeries& region) {
     h5::set_attribute(group, ".", "points", std::int64_t{region.points});
-    std::vector<double> d;
-    for (const RegionRow& row : region.rows) d.push_back(row.d_over_B);
+    std::vector<double> d, time;
+    for (const RegionRow& row : region.rows) d.push_back(row.d_over_B), time.push_back(row.time);
     h5::write(group, "d_over_B", std::span<const double>(d), {d.size()}, "-", h5::Storage::growing);
+    h5::write(group, "time", std::span<const double>(time), {d.size()}, "s", h5::Storage::growing);
     for (const RegionColumn& c : region_columns()) {
         std::vector<double> cells;
         for (const RegionRow& row : region.rows) {
@@ -30,6 +31,9 @@ RegionSeries read_columns(const h5::Group& group, const std::string& name) {
     const auto d = h5::read<double>(group, "d_over_B");
     region.rows.resize(d.size());
     for (std::size_t k = 0; k < d.size(); ++k) region.rows[k].d_over_B = d[k];
+    const auto time =
+        group.has("time") ? h5::read<double>(group, "time") : std::vector<double>();  // once none
+    for (std::size_t k = 0; k < std::min(d.size(), time.size()); ++k) region.rows[k].time = time[k];
     for (const RegionColumn& c : region_columns()) {
         const auto cells = h5::read<double>(group, c.name);
         if (cells.size() != 3 * d.size())
@@ -79,7 +83,7 @@ std::string region_csv(const std::vector<RegionSeries>& regions) {
     std::string text = "region,points,d_over_B";
     for (const RegionColumn& c : region_columns())
         for (const char* statistic : {"mean", "min", "max"}) text += fmt::format(",{}_{}", c.name, statistic);
-    text += '\n';
+    text += ",time_s\n";
     for (const RegionSeries& region : regions)
         for (const RegionRow& row : region.rows) {
             text += fmt::format("{},{},{:.6g}", region.name, region.points, row.d_over_B);
@@ -87,7 +91,7 @@ std::string region_csv(const std::vector<RegionSeries>& regions) {
                 const Spread& s = row.*c.member;
                 text += fmt::format(",{:.6g},{:.6g},{:.6g}", s.mean, s.min, s.max);
             }
-            text += '\n';
+            text += fmt::format(",{:.6g}\n", row.time);
         }
     return text;
 }

@@ -17,7 +17,7 @@ struct Spread {
 
 // What a region shows at one moment. Stress is compression positive.
 struct RegionRow {
-    double d_over_B = 0;
+    double d_over_B = 0, time = 0;              // time [s]
     Spread p, q;                                // mean stress and deviator (radius of Mohr's circle) [Pa]
     Spread sigma_xx, sigma_yy, sigma_xy;        // [Pa]
     Spread K;                                   // sigma_xx/sigma_yy; its mean is that of the mean stresses
@@ -40,12 +40,12 @@ struct RegionColumn {
 };
 std::span<const RegionColumn> region_columns();
 
-// The group /regions of run.h5: a group for each region with d_over_B (N) and each quantity (N x 3: mean,
-// min, max); none without regions.
+// The group /regions of run.h5: a group for each region with d_over_B (N), time (N, s) and each quantity (N x
+// 3: mean, min, max); none without regions.
 void write_regions(h5::Group& root, const std::vector<RegionSeries>& regions);
 std::vector<RegionSeries> read_regions(const h5::Group& root);
 
-// regions.csv: region, points, d_over_B, then mean, min and max of each quantity.
+// regions.csv: region, points, d_over_B, then mean, min and max of each quantity, and the time.
 std::string region_csv(const std::vector<RegionSeries>& regions);
 
 }  // namespace sandgraph::io

@@ -6,7 +6,8 @@
 namespace sandgraph::mpm {
 namespace {
 
-bool in_cavity(const Layout& layout, double x, double y) {
+bool empty_at(const Layout& layout, double x, double y) {
+    if (layout.inside && !layout.inside(x, y)) return true;
     return std::any_of(layout.cavities.begin(), layout.cavities.end(),
                        [&](const Rectangle& r) { return r.contains(x, y); });
 }
@@ -17,7 +18,7 @@ void add_row(const Layout& layout, Points& points, double y, std::int32_t row) {
     const auto columns = std::lround((g.x1 - g.x0) / spacing);
     for (long k = 0; k < columns; ++k) {
         const double x = g.x0 + (static_cast<double>(k) + 0.5) * spacing;
-        if (in_cavity(layout, x, y)) continue;
+        if (empty_at(layout, x, y)) continue;
         if (row == 0) points.surface.push_back(static_cast<std::int32_t>(points.x.size()));
         points.x.push_back(x);
         points.y.push_back(y);

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "mpm/points.hpp"
@@ -12,6 +13,8 @@ struct Layout {
     int points_per_cell = 1;          // 1, 4 or 9
     double density = 0;               // in situ, rho_grain (1 - n) [kg/m3]
     std::vector<Rectangle> cavities;  // no ground there: the plate's initial volume
+    // Whether there is ground about a point of the rectangle; empty: everywhere.
+    std::function<bool(double x, double y)> inside = {};
 };
 
 // Rows from the base up, each from left to right. Ids follow that order; `row` counts from the surface (0)

@@ -13,6 +13,13 @@ struct RestPressure {
     double vertical_gradient = 0, horizontal_gradient = 0;  // d/d(depth) [Pa/m]
 };
 
+// That of ground at rest on a body whose centre lies `depth` [m] under the surface: vertical
+// surcharge + unit_weight depth [Pa], horizontal K0 of it.
+inline RestPressure rest_pressure(double surcharge, double unit_weight, double depth, double K0 = 1) {
+    const double vertical = surcharge + unit_weight * depth;
+    return {vertical, K0 * vertical, unit_weight, K0 * unit_weight};
+}
+
 // A rigid rectangle with prescribed velocity, per metre out of plane.
 struct RigidPlate {
     double x = 0, y = 0;                     // centre [m]
@@ -20,7 +27,7 @@ struct RigidPlate {
     Vec2 velocity = Vec2::Zero();            // [m/s]
     double friction_angle = 0;               // plate-soil [rad]; pi/2: perfectly rough
     double stiffness = 0;                    // k_a [Pa/m]: pressure per penetration
-    RestPressure rest;
+    RestPressure rest = {};
 
     Rectangle rectangle() const { return {x - half_width, y - half_height, x + half_width, y + half_height}; }
 };

@@ -57,7 +57,8 @@ std::string packing_figures(const results::FinishedRun& run, const fs::path& pic
 std::string region_figures(const results::FinishedRun& run, const fs::path& pictures,
                            const std::optional<report::CriticalLines>& critical) {
     if (run.record.regions.empty()) return "";
-    const report::RegionPicture picture{results::title_of(run.scene), run.record.regions};
+    const report::RegionPicture picture{results::title_of(run.scene), run.record.regions,
+                                        !run.scene.anchor.present};
     report::draw_region_picture(picture, pictures / "regions.png");
     report::draw_stress_path_picture(picture, critical, pictures / "stress_paths.png");
     return "<h3>Regions</h3>\n" +

@@ -29,17 +29,24 @@ Box box_of(const io::Frame& frame, const results::GroundView& view) {
 }
 
 std::string title(const io::Frame& frame, const results::GroundView& view) {
-    return literal(fmt::format("{}, d/B = {:.3g}{}", view.title, frame.d_over_B,
+    return literal(fmt::format("{}, {}{}", view.title,
+                               results::moment_text(results::mark_of(frame, view), view.has_plate),
                                view.mirror ? " (left half: mirror image)" : ""));
+}
+
+// A second axis above in plate widths.
+std::string axis_in_widths(const results::GroundView& view) {
+    if (!view.has_plate) return "";
+    return fmt::format("set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B' offset 0,-0.4\n",
+                       view.anchor_width, view.anchor_width);
 }
 
 std::string axes(const io::Frame& frame, const results::GroundView& view, const Box& box) {
     return fmt::format(
         "set title {} noenhanced offset 0,0.4\nset size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
         "set xlabel 'x [m]'\nset ylabel 'y [m]'\nset xtics nomirror\nset ytics nomirror\nset tics out\n"
-        "set link x2 via x/{} inverse x*{}\nset x2tics\nset x2label 'x/B' offset 0,-0.4\nunset key\nset clip "
-        "two\n",
-        title(frame, view), box.left, box.right, box.bottom, box.top, view.anchor_width, view.anchor_width);
+        "{}unset key\nset clip two\n",
+        title(frame, view), box.left, box.right, box.bottom, box.top, axis_in_widths(view));
 }
 
 // One colour a kind, named beside it.

@@ -28,15 +28,15 @@ constexpr Panel panels[] = {{"equivalent strain ε_{eq}", &io::RegionRow::strain
                             {"K = σ_{xx}/σ_{yy}", &io::RegionRow::K, 1, "[0:*]"},
                             {"rotation θ [deg], anticlockwise +", &io::RegionRow::rotation, degree, "[*:*]"}};
 
-std::string rows(const io::RegionSeries& region, const Panel& panel) {
+std::string rows(const io::RegionSeries& region, const Panel& panel, bool by_time) {
     const bool is_K = panel.member == &io::RegionRow::K;
     const auto shown = [&](double v) { return (is_K ? std::min(v, K_shown) : v) * panel.scale; };
     std::string text;
     for (const io::RegionRow& row : region.rows) {
         const io::Spread& s = row.*panel.member;
         if (std::isfinite(s.mean) && std::isfinite(s.min))
-            text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", row.d_over_B, shown(s.mean), shown(s.min),
-                                shown(s.max));
+            text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", by_time ? row.time : row.d_over_B,
+                                shown(s.mean), shown(s.min), shown(s.max));
     }
     return text;
 }
@@ -52,7 +52,7 @@ std::string label_of(const io::RegionSeries& region) {
 std::string panel_script(const RegionPicture& picture, std::size_t k, Plot& plot) {
     std::string shadows, lines;
     for (std::size_t r = 0; r < picture.regions.size(); ++r) {
-        std::string data = rows(picture.regions[r], panels[k]);
+        std::string data = rows(picture.regions[r], panels[k], picture.by_time);
         if (data.empty()) continue;
         plot.data.emplace_back(name_of(k, r), std::move(data));
         shadows += fmt::format(
@@ -77,8 +77,9 @@ Plot region_plot(const RegionPicture& picture) {
     plot.width = 1500, plot.height = 900;
     plot.script = fmt::format(
         "set multiplot layout 2,3 title {} noenhanced\nset grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset xlabel "
-        "'displacement d/B'\nset xrange [0:*]\n",
-        literal(picture.title + ": regions, mean and range"));
+        "'{}'\nset xrange [0:*]\n",
+        literal(picture.title + ": regions, mean and range"),
+        picture.by_time ? "time [s]" : "displacement d/B");
     for (std::size_t k = 0; k < std::size(panels); ++k) plot.script += panel_script(picture, k, plot);
     plot.script += "unset multiplot\n";
     return plot;

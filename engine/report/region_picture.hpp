@@ -12,6 +12,7 @@ namespace sandgraph::report {
 struct RegionPicture {
     std::string title;
     std::vector<io::RegionSeries> regions;
+    bool by_time = false;  // in ground without a plate: against time
 };
 
 // Strain, porosity, fabric anisotropy, deviator, earth pressure coefficient and rotation of each region

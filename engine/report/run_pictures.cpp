@@ -65,7 +65,7 @@ std::string draw_pictures(const std::filesystem::path& to, const results::Finish
             if (last.drawn &&
                 (field.quantity != results::Quantity::mode || results::has_field(frame, "mode")))
                 last = draw_field_picture(frame, field.quantity, view,
-                                          to / picture_name(field.name, frame.d_over_B));
+                                          to / picture_name(field.name, results::mark_of(frame, view)));
     }
     return last.drawn ? fmt::format("pictures in {}", to.string()) : "no pictures: " + last.message;
 }
@@ -79,8 +79,8 @@ const std::vector<std::string>& field_picture_names() {
     return names;
 }
 
-std::string picture_name(const std::string& field, double d_over_B) {
-    return fmt::format("{}_{:04.0f}.png", field, 1e3 * d_over_B);
+std::string picture_name(const std::string& field, double mark) {
+    return fmt::format("{}_{:04.0f}.png", field, 1e3 * mark);
 }
 
 }  // namespace sandgraph::report

@@ -14,7 +14,7 @@ std::string draw_pictures(const std::filesystem::path& to, const results::Finish
 
 LoadCurve load_curve(const results::FinishedRun& run);
 // FIELD_DDDD.png, DDDD: 1000 d/B; and the fields there are.
-std::string picture_name(const std::string& field, double d_over_B);
+std::string picture_name(const std::string& field, double mark);
 const std::vector<std::string>& field_picture_names();
 
 }  // namespace sandgraph::report

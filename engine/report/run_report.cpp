@@ -10,6 +10,7 @@
 #include "report/cross_scale.hpp"
 #include "report/html.hpp"
 #include "report/run_pictures.hpp"
+#include "results/ground_view.hpp"
 #include "results/run_summary.hpp"
 
 namespace sandgraph::report {
@@ -27,6 +28,7 @@ std::string share(double value) {
 }
 
 std::vector<Row> result_rows(const results::FinishedRun& run) {
+    if (!run.scene.anchor.present) return {};
     const io::Summary& s = run.summary;
     const double formula = results::pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
     return {
@@ -85,9 +87,10 @@ bool is_own_picture(const fs::path& file) {
 
 // Of many frames those nearest to the breakout and to even steps up to the last.
 std::vector<std::size_t> frames_shown(const results::FinishedRun& run, std::size_t most) {
+    const results::GroundView view = results::ground_view(run.scene);
     std::vector<double> d;
     for (std::size_t k = 0; k < run.record.frames; ++k)
-        d.push_back(io::read_run_frame(run.frame_file(), k).d_over_B);
+        d.push_back(results::mark_of(io::read_run_frame(run.frame_file(), k), view));
     if (d.size() <= most) return {};
     std::set<std::size_t> chosen;
     const auto add = [&](double at) {
@@ -118,8 +121,8 @@ std::string field_figures(const results::FinishedRun& run, const fs::path& pictu
         const std::string stem = file.stem().string(), field = stem.substr(0, stem.rfind('_'));
         const double d = std::strtod(stem.substr(stem.rfind('_') + 1).c_str(), nullptr) / 1000;
         if (d == 0) continue;  // nothing has moved
-        html += report::figure(file,
-                               fmt::format("{} of {}, d/B = {:.3g}", field, results::title_of(run.scene), d));
+        html += report::figure(file, fmt::format("{} of {}, {}", field, results::title_of(run.scene),
+                                                 results::moment_text(d, run.scene.anchor.present)));
     }
     return html + "</div>\n";
 }
@@ -136,7 +139,8 @@ std::string run_chapter(const results::FinishedRun& run, const fs::path& picture
                     run.summary.scene_hash, run.summary.git);
     html += "<div class=\"grid\">\n" + report::table(result_rows(run)) + report::table(cost_rows(run));
     if (run.summary.mode == "screening") html += report::table(screening_rows(run));
-    html += "</div>\n" + report::figure(pictures / "load.png", "Load against displacement");
+    html += "</div>\n";
+    if (run.scene.anchor.present) html += report::figure(pictures / "load.png", "Load against displacement");
     html += "<h3>Fields</h3>\n" + field_figures(run, pictures);
     html += cross_scale_chapter(run, pictures, options.critical);
     if (told.starts_with("no pictures")) html += "<p class=\"missing\">" + report::escaped(told) + "</p>\n";

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "io/frame.hpp"
 #include "scene/scene.hpp"
 
 namespace sandgraph::results {
@@ -17,7 +18,11 @@ struct GroundView {
     bool mirror = false;                          // half model: draw its mirror image about x = 0 too
 };
 
-// The plate and about two widths around it.
+// The plate and about two widths around it; without a plate the whole ground.
 GroundView ground_view(const scene::Scene& scene);
+
+// What the moments of a run are told by: d/B, in ground without a plate time [s]; and as a text.
+double mark_of(const io::Frame& frame, const GroundView& view);
+std::string moment_text(double mark, bool has_plate);
 
 }  // namespace sandgraph::results

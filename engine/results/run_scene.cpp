@@ -4,62 +4,24 @@
 #include <tbb/global_control.h>
 
 #include "base/console.hpp"
-#include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "io/checkpoint.hpp"
-#include "io/writable.hpp"
 #include "io/xdmf.hpp"
 #include "results/run_summary.hpp"
-#include "simulation/build_screening.hpp"
-#include "simulation/check_run.hpp"
+#include "simulation/prepare_run.hpp"
 #include "simulation/run_session.hpp"
-#include "surrogate/load_surrogate.hpp"
 
 namespace sandgraph::results {
 namespace {
 
-namespace fs = std::filesystem;
-
-simulation::RunOptions options_of(const simulation::RunRequest& a, const scene::Scene& scene) {
-    simulation::RunOptions o;
-    o.folder = !a.folder.empty()              ? fs::path(a.folder)
-               : !scene.output.folder.empty() ? fs::path(scene.output.folder)
-                                              : fs::path("out") / fs::path(a.scene).stem();
-    o.threads = simulation::threads_of(a);
-    o.until = a.until > 0 ? std::min(a.until, scene.anchor.pull_to) : scene.anchor.pull_to;
-    o.resume = a.resume;
-    o.resume ? simulation::require_checkpoint(o.folder, scene) : simulation::require_no_checkpoint(o.folder);
-    return o;
+std::string standing(const simulation::Simulation& s) {
+    return s.anchored() ? fmt::format("d/B {:.4f}", s.d_over_B()) : fmt::format("{:.4f} s", s.time());
 }
 
-packings::PreparedGround prepare(const scene::Scene& scene) {
-    StageProgress progress;
-    // A surrogate that cannot be used is refused before the packings are made.
-    std::shared_ptr<const stress::Surrogate> surrogate;
-    if (scene.mode == scene::Mode::screening) surrogate = surrogate::load_surrogate(scene.screening.model);
-    packings::PreparedGround ground = packings::prepare_ground(scene, progress.callback());
-    ground.surrogate = std::move(surrogate);
-    return ground;
-}
-
-// A failure on the way (a full disk) tells what there is to go on from.
-simulation::RunEnd run(simulation::RunSession& session, const simulation::RunOptions& o) {
-    try {
-        return session.run();
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        if (!fs::exists(o.folder / io::checkpoint_name)) throw;
-        throw std::runtime_error(fmt::format("{}; the last checkpoint is kept for --resume", error.what()));
-    }
-}
-
-// What is left to do when the plate has gone all the way.
 void finish(const simulation::RunSession& session, const simulation::RunOptions& o, const scene::Scene& scene,
             const packings::PreparedGround& ground, const DrawPictures& draw) {
     const io::Summary summary = summarise(session, scene, ground, o.threads);
     io::write_summary(o.folder / "summary.json", summary);
-    io::write_xdmf(o.folder / "fields.xdmf", session.frame_file());
+    io::write_xdmf(o.folder / "fields.xdmf", session.recorders().frame_file());
     tell(summary_text(summary, scene, ground));
     if (scene.output.pictures) tell(draw(read_finished_run(o.folder)) + "\n");
     tell(fmt::format("results in {}\n", o.folder.string()));
@@ -67,15 +29,13 @@ void finish(const simulation::RunSession& session, const simulation::RunOptions&
 
 simulation::RunEnd run_all(const simulation::RunRequest& a, const DrawPictures& draw) {
     const scene::Scene scene = simulation::scene_of(a);
-    const simulation::RunOptions options = options_of(a, scene);
+    const simulation::RunOptions options = simulation::options_of(a, scene);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
-    simulation::require_memory(scene);
-    io::require_writable(options.folder);
-    const packings::PreparedGround ground = prepare(scene);
+    const packings::PreparedGround ground = simulation::prepare(scene, options.folder);
     simulation::RunSession session(scene, ground, options);
-    if (run(session, options) == simulation::RunEnd::interrupted) {
-        notice(fmt::format("stopped at d/B {:.4f}; go on with: {}", session.pull().d_over_B(),
+    if (session.run() == simulation::RunEnd::interrupted) {
+        notice(fmt::format("stopped at {}; go on with: {}", standing(session.simulation()),
                            simulation::resume_command(a, options.folder)));
         return simulation::RunEnd::interrupted;
     }

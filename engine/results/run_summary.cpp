@@ -11,6 +11,7 @@
 #include "results/peak.hpp"
 #include "results/screening_summary.hpp"
 #include "scene/scene_hash.hpp"
+#include "simulation/scene_spec.hpp"
 
 namespace sandgraph::results {
 namespace {
@@ -30,7 +31,7 @@ Curve curve_of(const io::RunRecord& record) {
 
 void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
                const packings::PreparedGround& ground, io::Summary& s) {
-    const Curve curve = curve_of(session.record());
+    const Curve curve = curve_of(session.recorders().record());
     const Breakout breakout = results::breakout(curve.d, curve.load);
     s.peak_load = breakout.load, s.peak_d_over_B = breakout.d_over_B;
     s.n_gamma = breakout.load / simulation::unit_load(scene, ground);
@@ -44,43 +45,45 @@ void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
     s.extra.emplace_back("friction_angle_deg", ground.friction_angle * kDegrees);
 }
 
-void add_grains(const graph::Pull& pull, io::Summary& s) {
-    const stress::Law& law = *pull.state().law;
+void add_grains(const simulation::Simulation& run, io::Summary& s) {
+    const stress::Law& law = *run.state().law;
     const stress::GrainUse grains = law.grain_use();
     s.dem_steps = grains.dem_steps, s.rve_updates = grains.updates;
-    if (law.screening_log()) return add_screening(law, pull.state().points.size(), s);
+    if (law.screening_log()) return add_screening(law, run.state().points.size(), s);
     if (law.answers() == stress::Answers::grains) s.dem_fraction_final = s.dem_fraction_mean = 1;
     for (const auto& [name, value] : law.figures()) s.extra.emplace_back(name, value);
 }
 
 void add_history(const simulation::RunSession& session, io::Summary& s) {
-    if (!session.history()) return;
-    s.extra.emplace_back("history_rows", static_cast<double>(session.history()->rows()));
-    s.extra.emplace_back("history_full", session.history()->full());
+    if (!session.recorders().history()) return;
+    s.extra.emplace_back("history_rows", static_cast<double>(session.recorders().history()->rows()));
+    s.extra.emplace_back("history_full", session.recorders().history()->full());
 }
 
 }  // namespace
 
 bool broke_out(const io::Summary& s) {
-    return s.number("breakout_criterion") != static_cast<double>(BreakoutKind::still_rising);
+    const double kind = s.number("breakout_criterion");  // NaN without a plate
+    return std::isfinite(kind) && kind != static_cast<double>(BreakoutKind::still_rising);
 }
 
 io::Summary summarise(const simulation::RunSession& session, const scene::Scene& scene,
                       const packings::PreparedGround& ground, int threads) {
-    const graph::Pull& pull = session.pull();
+    const simulation::Simulation& run = session.simulation();
     io::Summary s;
-    s.points = static_cast<std::int64_t>(pull.state().points.size()), s.steps = pull.steps();
+    s.points = static_cast<std::int64_t>(run.state().points.size()), s.steps = run.steps();
     s.wall_s = session.wall_seconds(), s.cpu_s = session.cpu_seconds();
-    s.threads = threads, s.mode = session.record().info.mode, s.git = revision();
+    s.threads = threads, s.mode = session.recorders().record().info.mode, s.git = revision();
     s.scene_hash = hex(scene::scene_hash(scene));
-    add_grains(pull, s);
+    add_grains(run, s);
     add_history(session, s);
-    if (!scene.anchor.present) return s;
-    add_loads(session, scene, ground, s);
-    s.kinetic_to_strain_energy_max = session.loads().kinetic_share_max();
-    s.extra.emplace_back("unit_load_N_per_m", simulation::unit_load(scene, ground));
+    if (scene.anchor.present) {
+        add_loads(session, scene, ground, s);
+        s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
+        s.extra.emplace_back("unit_load_N_per_m", simulation::unit_load(scene, ground));
+    }
     s.extra.emplace_back("density_kg_per_m3", ground.density);
-    for (const auto& [phase, seconds] : session.record().timing)
+    for (const auto& [phase, seconds] : session.recorders().record().timing)
         s.extra.emplace_back("seconds " + phase, seconds);
     return s;
 }

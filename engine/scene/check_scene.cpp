@@ -30,6 +30,11 @@ class Checks {
             refuse("ground.gravity", "nothing presses on the ground that is to hold the plate",
                    "write \"9.81 m/s2\", or give the ground a surcharge");
     }
+    void ends_with_the_pull() const {
+        if (keys_.at("mpm.end_time").given)
+            refuse("mpm.end_time", "a run with an anchor ends with the pull, at anchor.pull_to",
+                   "leave it out, or write anchor.present = false");
+    }
     void plate() const {
         anchor_.orientation == Orientation::horizontal ? horizontal_plate() : vertical_plate();
         if (anchor_.ramp >= anchor_.pull_to)
@@ -134,6 +139,7 @@ void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
     if (!scene.anchor.present) return;
+    checks.ends_with_the_pull();
     checks.stressed();
     checks.plate();
     checks.plate_between_points();

@@ -12,7 +12,8 @@ struct Region {
     bool tracked_point = false;  // `at` instead of `x` and `y`
     bool absolute = false;       // x, y in metres in the domain, else in plate widths from the plate's centre
     std::array<double, 2> x{0, 0}, y{0, 0};  // low and high; equal for a tracked point
-    std::vector<double> packings;            // d/B at which the packing nearest to the middle is kept
+    std::vector<double>
+        packings;  // d/B (without an anchor s) at which the packing nearest to the middle is kept
 };
 
 }  // namespace sandgraph::scene

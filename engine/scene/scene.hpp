@@ -73,6 +73,10 @@ struct Screening : graph::ScreeningSettings {
     std::string model;  // the surrogate's weights file; "": the one shipped for the paper's packings
 };
 
+struct Mpm : mpm::Scheme {
+    double end_time = 1;  // when ground without an anchor has run long enough [s]
+};
+
 struct Output {
     std::string folder;  // default: out/<scene file stem>
     bool pictures = false;
@@ -91,7 +95,7 @@ struct Scene {
     Domain domain;
     Anchor anchor;
     Ground ground;
-    mpm::Scheme mpm;
+    Mpm mpm;
     Screening screening;
     Output output;
     std::vector<Region> regions;

@@ -31,7 +31,7 @@ void add_domain_keys(KeyTable& keys, Domain& d) {
 
 void add_anchor_keys(KeyTable& keys, Anchor& a) {
     auto anchor = keys.section("anchor");
-    anchor.flag("present", a.present, "false: ground under its own weight only");
+    anchor.flag("present", a.present, "false: ground under its own weight only, run to mpm.end_time");
     anchor.choice("orientation", a.orientation, {"horizontal", "vertical"}, "pulled up, or sideways to +x");
     anchor.real("width", a.width, "m", above(0), "B");
     anchor.real("thickness", a.thickness, "m", above(0), "of the plate");
@@ -63,7 +63,7 @@ void add_continuum_keys(KeyTable& keys, Continuum& c) {
     law.real("density", c.density, "kg/m3", above(0), "bulk density");
 }
 
-void add_mpm_keys(KeyTable& keys, mpm::Scheme& m) {
+void add_mpm_keys(KeyTable& keys, Mpm& m) {
     auto mpm = keys.section("mpm");
     mpm.real("courant", m.courant, "", above_up_to(0, 1),
              "time step times c/cell, c: P-wave speed; at most 0.45/sqrt(1 + contact_stiffness) is taken");
@@ -73,6 +73,8 @@ void add_mpm_keys(KeyTable& keys, mpm::Scheme& m) {
     mpm.real("mass_scaling", m.mass_scaling, "", at_least(1), "inertia multiplied by this, gravity kept");
     mpm.real("contact_stiffness", m.contact_stiffness, "", above(0),
              "plate on soil, in P-wave moduli a cell");
+    mpm.real("end_time", m.end_time, "s", above(0), "end of a run without an anchor (a pull ends at pull_to)")
+        .in_hash = false;
 }
 
 // Nothing here changes the physics, so nothing here is in the scene's hash.
@@ -80,9 +82,13 @@ void add_output_keys(KeyTable& keys, Output& o) {
     auto output = keys.section("output");
     output.text("folder", o.folder, "empty: out/<name of the scene file>").in_hash = false;
     output.flag("pictures", o.pictures, "PNG pictures of every frame").in_hash = false;
-    output.real("load_every", o.load_every, "", at_least(1e-6), "d/B between rows of load.csv").in_hash =
-        false;
-    output.add("frames", std::make_unique<RisingReals>(o.frames, at_least(0)), "d/B of the field frames")
+    output
+        .real("load_every", o.load_every, "", at_least(1e-6),
+              "d/B between rows of load.csv; without an anchor s")
+        .in_hash = false;
+    output
+        .add("frames", std::make_unique<RisingReals>(o.frames, at_least(0)),
+             "d/B of the field frames; without an anchor s")
         .in_hash = false;
     output.real("checkpoint_every", o.checkpoint_every, "s", above(0), "wall time between checkpoints")
         .in_hash = false;

@@ -53,13 +53,16 @@ class Drawing {
 
 }  // namespace
 
-std::vector<std::int32_t> history_points(const mpm::Points& points, const mpm::Rectangle& plate, double width,
-                                         int count, std::uint64_t seed) {
+std::vector<std::int32_t> history_points(const mpm::Points& points,
+                                         const std::optional<mpm::Rectangle>& plate, double width, int count,
+                                         std::uint64_t seed) {
     const auto total = static_cast<std::size_t>(count);
     Drawing drawing(points, seed);
-    drawing.draw(total / 4,
-                 [&](double x, double y) { return distance_to_edge(plate, x, y) < kEdge * width; });
-    drawing.draw(total / 4, [&](double x, double y) { return distance(plate, x, y) < kNear * width; });
+    if (plate) {
+        drawing.draw(total / 4,
+                     [&](double x, double y) { return distance_to_edge(*plate, x, y) < kEdge * width; });
+        drawing.draw(total / 4, [&](double x, double y) { return distance(*plate, x, y) < kNear * width; });
+    }
     drawing.draw(total - drawing.size(), [](double, double) { return true; });
     return drawing.points();
 }

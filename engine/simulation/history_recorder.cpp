@@ -16,16 +16,15 @@ constexpr std::size_t kBlock = 2048;  // rows handed to the writer at once
 
 // Chooses the points of the log and has the law watch them: all over the ground at full fidelity, the audited
 // ones in a screening run.
-std::vector<std::int32_t> watch(graph::Pull& pull, const scene::Scene& scene) {
-    const auto wanted =
-        history_points(pull.state().points, pull.state().plate.rectangle(), scene.anchor.width,
-                       scene.output.history_points, scene.ground.grains.seed);
-    stress::Law& law = *pull.state().law;
-    if (law.answers() == stress::Answers::formula)
+std::vector<std::int32_t> watch(Simulation& simulation, const scene::Scene& scene) {
+    const graph::GroundState& s = simulation.state();
+    if (s.law->answers() == stress::Answers::formula)
         throw InputError(scene.where("output.history"), "output.history = true",
                          "a ground without grains has no DEM updates",
                          "run with ground.law = \"rve\", or leave history out");
-    return law.watch(wanted);
+    const auto plate = s.bodies.empty() ? std::nullopt : std::optional(s.bodies.front().plate.rectangle());
+    return s.law->watch(history_points(s.points, plate, scene.anchor.width, scene.output.history_points,
+                                       scene.ground.grains.seed));
 }
 
 std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene,
@@ -39,14 +38,14 @@ std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene,
 }  // namespace
 
 HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const packings::PreparedGround& ground,
-                                 graph::Pull& pull, std::filesystem::path folder, bool resume)
+                                 Simulation& simulation, std::filesystem::path folder, bool resume)
     : folder_(std::move(folder)),
       source_{"run", scene.text, version(), revision()},
       packings_(packings_of(scene, ground)),
       rows_max_(
           static_cast<std::size_t>(scene.output.history_max / double(io::HistoryJournal::row_bytes()))) {
-    const mpm::Points& points = pull.state().points;
-    const std::vector<std::int32_t> chosen = watch(pull, scene);
+    const mpm::Points& points = simulation.state().points;
+    const std::vector<std::int32_t> chosen = watch(simulation, scene);
     if (scene.mode == scene::Mode::screening) mode_ = io::HistoryMode::audit;
     history_of_.assign(points.size(), -1);
     for (const std::int32_t point : chosen) {
@@ -59,8 +58,9 @@ HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const packings::Prep
     if (!resume) journal_.emplace(journal_path(), 0);
 }
 
-void HistoryRecorder::after_step(const graph::Pull& pull, BackgroundWriter& writer) {
-    pull.state().law->each_watched_update([&](const dem::RveUpdate& update) { log(update, pull.time()); });
+void HistoryRecorder::after_step(const Simulation& simulation, BackgroundWriter& writer) {
+    simulation.state().law->each_watched_update(
+        [&](const dem::RveUpdate& update) { log(update, simulation.time()); });
     if (pending_.size() >= kBlock) hand_over(writer);
 }
 

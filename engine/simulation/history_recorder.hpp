@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "graph/pull.hpp"
 #include "io/history_journal.hpp"
 #include "packings/prepare_ground.hpp"
 #include "scene/scene.hpp"
 #include "simulation/background_writer.hpp"
+#include "simulation/simulation.hpp"
 
 namespace sandgraph::simulation {
 
@@ -17,9 +17,9 @@ namespace sandgraph::simulation {
 class HistoryRecorder {
   public:
     // Watches the points of `pull`, at rest. InputError for ground without grains.
-    HistoryRecorder(const scene::Scene& scene, const packings::PreparedGround& ground, graph::Pull& pull,
+    HistoryRecorder(const scene::Scene& scene, const packings::PreparedGround& ground, Simulation& simulation,
                     std::filesystem::path folder, bool resume);
-    void after_step(const graph::Pull& pull, BackgroundWriter& writer);
+    void after_step(const Simulation& simulation, BackgroundWriter& writer);
     // With an idle writer only: what the checkpoint must know; reading cuts the journal back to it.
     void archive(Archive& a);
     // With an idle writer only: history.h5 of what was logged so far. The journal stays, for a resumed run.

@@ -12,26 +12,32 @@ constexpr double kQuasiStaticFrom = 0.005;  // d/B; before it the plate has done
 
 }  // namespace
 
-std::optional<io::LoadRow> LoadRecorder::after_step(const graph::Pull& pull) {
-    const graph::GroundState& s = pull.state();
-    d_ += pull.d_over_B(), load_ += factor_ * pull.load(), leading_ += factor_ * pull.leading(),
-        trailing_ += factor_ * pull.trailing();
-    plate_work_ += factor_ * mpm::plate_work(s.plate, s.contact.reaction, s.settings.dt);
+void LoadRecorder::add(const Simulation& simulation) {
+    const graph::GroundState& s = simulation.state();
+    const graph::Body& anchor = s.bodies.front();
+    d_ += simulation.d_over_B(), load_ += factor_ * simulation.load();
+    leading_ += factor_ * simulation.leading(), trailing_ += factor_ * simulation.trailing();
+    plate_work_ += factor_ * mpm::plate_work(anchor.plate, anchor.contact.reaction, s.settings.dt);
+}
+
+std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation) {
+    if (simulation.anchored()) add(simulation);
     steps_ += 1;
-    if (pull.d_over_B() < next_) return std::nullopt;
-    io::LoadRow out = row(pull, load_ / steps_);
-    if (pull.d_over_B() >= kQuasiStaticFrom)
+    if (simulation.mark() < next_) return std::nullopt;
+    const io::LoadRow out = row(simulation, load_ / steps_);
+    if (simulation.d_over_B() >= kQuasiStaticFrom)
         kinetic_share_max_ =
             std::fmax(kinetic_share_max_, out.kinetic_energy / std::max(plate_work_, 1e-300));
-    while (next_ <= pull.d_over_B()) next_ += every_;
+    while (next_ <= simulation.mark()) next_ += every_;
     steps_ = d_ = load_ = leading_ = trailing_ = 0;
+    last_ = out.load;
     return out;
 }
 
-io::LoadRow LoadRecorder::row(const graph::Pull& pull, double load) const {
-    const graph::GroundState& s = pull.state();
+io::LoadRow LoadRecorder::row(const Simulation& simulation, double load) const {
+    const graph::GroundState& s = simulation.state();
     io::LoadRow out;
-    out.d_over_B = d_ / steps_, out.load = load, out.time = pull.time();
+    out.d_over_B = d_ / steps_, out.load = load, out.time = simulation.time();
     out.top = leading_ / steps_, out.bottom = trailing_ / steps_;
     out.kinetic_energy = factor_ * mpm::kinetic_energy(s.points, s.settings.scheme.mass_scaling);
     out.strain_work = factor_ * s.stress_work;
@@ -43,11 +49,12 @@ io::LoadRow LoadRecorder::row(const graph::Pull& pull, double load) const {
 }
 
 void LoadRecorder::archive(Archive& a) {
-    std::vector<double> v = {next_, steps_, d_, load_, leading_, trailing_, plate_work_, kinetic_share_max_};
+    std::vector<double> v = {next_, steps_, d_, load_, leading_, trailing_, plate_work_, kinetic_share_max_,
+                             last_};
     field_of_known_length(a, "load_recorder", v);
     require_state(v[0] >= 0, "load_recorder");
     next_ = v[0], steps_ = v[1], d_ = v[2], load_ = v[3], leading_ = v[4], trailing_ = v[5];
-    plate_work_ = v[6], kinetic_share_max_ = v[7];
+    plate_work_ = v[6], kinetic_share_max_ = v[7], last_ = v[8];
 }
 
 }  // namespace sandgraph::simulation

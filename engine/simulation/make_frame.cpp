@@ -3,10 +3,10 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "dem/packing/observe.hpp"
-#include "graph/pull.hpp"
 
 namespace sandgraph::simulation {
 namespace {
@@ -65,6 +65,12 @@ void add_screening_fields(const stress::Law& law, std::size_t n, io::Frame& fram
         field("audited error", "-", 1, n, [&](std::size_t p) { return One{law.observe(p).audited_error}; }));
 }
 
+// NaN in ground without a body.
+Vec2 anchor_centre(const graph::GroundState& s) {
+    if (s.bodies.empty()) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+    return {s.bodies.front().plate.x, s.bodies.front().plate.y};
+}
+
 }  // namespace
 
 double point_porosity(const graph::GroundState& s, std::size_t point, double initial_porosity) {
@@ -73,12 +79,13 @@ double point_porosity(const graph::GroundState& s, std::size_t point, double ini
     return 1 - (1 - initial_porosity) * s.points.volume0[point] / s.points.volume[point];
 }
 
-io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, double initial_porosity,
+io::Frame make_frame(const Simulation& simulation, const std::vector<Vec2>& start, double initial_porosity,
                      const dem::Material& material) {
-    const graph::GroundState& s = pull.state();
+    const graph::GroundState& s = simulation.state();
     const mpm::Points& g = s.points;
     const std::size_t n = g.size();
-    io::Frame frame{pull.time(), pull.d_over_B(), s.plate.x, s.plate.y, g.x, g.y, {}};
+    const Vec2 plate = anchor_centre(s);
+    io::Frame frame{simulation.time(), simulation.d_over_B(), plate.x(), plate.y(), g.x, g.y, {}};
     frame.fields.push_back(field("displacement", "m", 2, n, [&](std::size_t p) {
         return Two{g.x[p] - start[p].x(), g.y[p] - start[p].y()};
     }));

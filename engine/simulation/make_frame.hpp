@@ -1,7 +1,7 @@
 #pragma once
 #include "dem/material.hpp"
-#include "graph/pull.hpp"
 #include "io/frame.hpp"
+#include "simulation/simulation.hpp"
 
 namespace sandgraph::simulation {
 
@@ -10,7 +10,7 @@ namespace sandgraph::simulation {
 // owns a packing, its contact fabric (xx, yy, xy), fabric anisotropy F_a and coordination number; in a
 // screening run graph::PointMode ("mode") and the audit's stress error, share of p (NaN where no audit
 // looks). `start`: where the points were before the first step.
-io::Frame make_frame(const graph::Pull& pull, const std::vector<Vec2>& start, double initial_porosity,
+io::Frame make_frame(const Simulation& simulation, const std::vector<Vec2>& start, double initial_porosity,
                      const dem::Material& material);
 
 // Porosity of a point under any law; a closed-form law starts from `initial_porosity`.

@@ -18,23 +18,26 @@ std::string duration(double seconds) {
 }  // namespace
 
 std::string progress_line(const ProgressState& state, std::optional<double> left) {
-    std::string line = fmt::format("step {}  d/B {:.4f} of {:g}  load {:.3g} kN/m  RVEs {}", state.step,
-                                   state.d_over_B, state.target, state.load / 1000, state.rve_active);
+    std::string line = fmt::format("step {}  ", state.step);
+    line += state.anchored ? fmt::format("d/B {:.4f} of {:g}  load {:.3g} kN/m", state.mark, state.target,
+                                         state.load / 1000)
+                           : fmt::format("{:.4f} of {:g} s", state.mark, state.target);
+    line += fmt::format("  RVEs {}", state.rve_active);
     if (left) line += fmt::format("  {} left", duration(*left));
     return line;
 }
 
 std::optional<double> TimeLeft::update(const ProgressState& state, double now) {
-    const double elapsed = now - last_time_, moved = state.d_over_B - last_d_over_B_;
+    const double elapsed = now - last_time_, moved = state.mark - last_mark_;
     if (started_ && elapsed > 0) {
         const double keep = speed_ > 0 ? std::exp(-elapsed / memory) : 0;
         speed_ = keep * speed_ + (1 - keep) * moved / elapsed;
     }
     started_ = true;
     last_time_ = now;
-    last_d_over_B_ = state.d_over_B;
+    last_mark_ = state.mark;
     if (speed_ <= 0) return std::nullopt;
-    return (state.target - state.d_over_B) / speed_;
+    return (state.target - state.mark) / speed_;
 }
 
 void Progress::update(const ProgressState& state, double now) {

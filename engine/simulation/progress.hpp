@@ -10,23 +10,25 @@ namespace sandgraph::simulation {
 // Where a run stands.
 struct ProgressState {
     std::int64_t step = 0;
-    double d_over_B = 0, target = 0;  // now and at the end
-    double load = 0;                  // of the whole plate [N/m]
-    std::int64_t rve_active = 0;      // points that own a packing
+    double mark = 0, target = 0;  // now and at the end: d/B, without an anchor time [s]
+    double load = 0;              // of the whole plate [N/m]
+    std::int64_t rve_active = 0;  // points that own a packing
+    bool anchored = true;
 };
 
 // "step 1200  d/B 0.0150 of 0.4  load 12.3 kN/m  RVEs 812  4 min 10 s left"; `left` [s], if it is known.
+// Without an anchor "step 1200  0.0150 of 1 s  RVEs 812".
 std::string progress_line(const ProgressState& state, std::optional<double> left);
 
-// Time left from the recent speed of d/B: the pull slows down as more packings strain.
+// Time left from the recent speed of the mark: the run slows down as more packings strain.
 class TimeLeft {
   public:
-    // `now` [s], any origin. Empty until the plate has moved.
+    // `now` [s], any origin. Empty until the mark has moved.
     std::optional<double> update(const ProgressState& state, double now);
 
   private:
-    static constexpr double memory = 20;                    // [s] over which older speeds are forgotten
-    double last_time_ = 0, last_d_over_B_ = 0, speed_ = 0;  // speed_ [d/B per s]
+    static constexpr double memory = 20;                // [s] over which older speeds are forgotten
+    double last_time_ = 0, last_mark_ = 0, speed_ = 0;  // speed_ [marks per s]
     bool started_ = false;
 };
 

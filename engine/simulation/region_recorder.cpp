@@ -19,8 +19,15 @@ namespace {
 constexpr double kReached = 1e-9;  // slack on d/B marks and edges
 
 // A region in the domain's coordinates [m].
-mpm::Rectangle place_of(const scene::Region& r, const mpm::RigidPlate& plate, double B) {
+mpm::Rectangle place_of(const scene::Scene& scene, const scene::Region& r,
+                        const std::vector<graph::Body>& bodies) {
     if (r.absolute) return {r.x[0], r.y[0], r.x[1], r.y[1]};
+    if (bodies.empty())
+        throw InputError({scene.file}, fmt::format("[[region]] {} in plate widths", r.name),
+                         "there is no plate (anchor.present = false)",
+                         "give its place in metres: x = [\"1 m\", \"2 m\"]");
+    const mpm::RigidPlate& plate = bodies.front().plate;
+    const double B = scene.anchor.width;
     return {plate.x + B * r.x[0], plate.y + B * r.y[0], plate.x + B * r.x[1], plate.y + B * r.y[1]};
 }
 
@@ -95,13 +102,14 @@ std::string thousandths(double mark) {
 
 }  // namespace
 
-RegionRecorder::RegionRecorder(const scene::Scene& scene, const graph::Pull& pull, double initial_porosity)
+RegionRecorder::RegionRecorder(const scene::Scene& scene, const Simulation& simulation,
+                               double initial_porosity)
     : material_(scene.ground.grains.material), initial_porosity_(initial_porosity) {
     std::vector<scene::Region> asked = scene.regions;
     std::ranges::sort(asked, {}, &scene::Region::name);
-    const graph::GroundState& s = pull.state();
+    const graph::GroundState& s = simulation.state();
     for (const scene::Region& region : asked) {
-        const mpm::Rectangle place = place_of(region, s.plate, scene.anchor.width);
+        const mpm::Rectangle place = place_of(scene, region, s.bodies);
         const std::size_t middle =
             nearest(s.points, 0.5 * (place.x0 + place.x1), 0.5 * (place.y0 + place.y1));
         Members members{inside(s.points, place), middle, region.packings};
@@ -116,54 +124,55 @@ RegionRecorder::RegionRecorder(const scene::Scene& scene, const graph::Pull& pul
     }
 }
 
-std::vector<io::RegionRow> RegionRecorder::rows(const graph::Pull& pull) const {
+std::vector<io::RegionRow> RegionRecorder::rows(const Simulation& simulation) const {
     std::vector<io::RegionRow> out;
-    for (const Members& members : members_) out.push_back(row(pull, members));
+    for (const Members& members : members_) out.push_back(row(simulation, members));
     return out;
 }
 
-io::RegionRow RegionRecorder::row(const graph::Pull& pull, const Members& members) const {
-    const mpm::Points& g = pull.state().points;
+io::RegionRow RegionRecorder::row(const Simulation& simulation, const Members& members) const {
+    const mpm::Points& g = simulation.state().points;
     const auto of = [&](auto value) { return spread(members.points, value); };
     io::RegionRow row;
-    row.d_over_B = pull.d_over_B();
+    row.d_over_B = simulation.d_over_B(), row.time = simulation.time();
     row.p = of([&](std::size_t p) { return mean_stress(g.stress[p]); });
     row.q = of([&](std::size_t p) { return deviator(g.stress[p]); });
     row.sigma_xx = of([&](std::size_t p) { return -g.stress[p].xx; });
     row.sigma_yy = of([&](std::size_t p) { return -g.stress[p].yy; });
     row.sigma_xy = of([&](std::size_t p) { return -g.stress[p].xy; });
     row.K = lateral_pressure(members.points, g.stress, row);
-    row.porosity = of([&](std::size_t p) { return point_porosity(pull.state(), p, initial_porosity_); });
+    row.porosity = of([&](std::size_t p) { return point_porosity(simulation.state(), p, initial_porosity_); });
     row.strain = of([&](std::size_t p) { return mpm::equivalent_strain(g.F[p]); });
     row.volume_strain = of([&](std::size_t p) { return mpm::volumetric_strain(g.F[p]); });
     row.rotation = of([&](std::size_t p) { return mpm::rotation(g.F[p]); });
     row.x = of([&](std::size_t p) { return g.x[p]; });
     row.y = of([&](std::size_t p) { return g.y[p]; });
-    add_packings(pull.state(), material_, members.points, row);
+    add_packings(simulation.state(), material_, members.points, row);
     return row;
 }
 
-void RegionRecorder::keep_packings(const graph::Pull& pull, const std::filesystem::path& folder,
+void RegionRecorder::keep_packings(const Simulation& simulation, const std::filesystem::path& folder,
                                    BackgroundWriter& writer) {
-    const double d = pull.d_over_B();
+    const double now = simulation.mark();
     for (std::size_t k = 0; k < members_.size(); ++k)
         for (const double mark : members_[k].packings)
-            if (mark > kept_to_ + kReached && mark <= d + kReached) keep(pull, k, mark, folder, writer);
-    kept_to_ = d;
+            if (mark > kept_to_ + kReached && mark <= now + kReached)
+                keep(simulation, k, mark, folder, writer);
+    kept_to_ = now;
 }
 
-void RegionRecorder::keep(const graph::Pull& pull, std::size_t region, double mark,
+void RegionRecorder::keep(const Simulation& simulation, std::size_t region, double mark,
                           const std::filesystem::path& folder, BackgroundWriter& writer) const {
     const std::size_t point = members_[region].middle;
     // None where a surrogate or a formula answers.
-    const dem::Rve* packing = pull.state().law->observe(point).packing;
+    const dem::Rve* packing = simulation.state().law->observe(point).packing;
     if (!packing)
         return notice(fmt::format("[[region]] {}: no packing at d/B = {:g}, no grains answer there",
                                   regions_[region].name, mark));
     auto record = std::make_shared<io::PackingRecord>();
     record->packing = dem::lab_packing(*packing), record->material = material_;
     record->recipe = fmt::format("# point {} of region {} at d/B = {:.6g}\n", point, regions_[region].name,
-                                 pull.d_over_B());
+                                 simulation.d_over_B());
     const auto path = folder / "packings" / fmt::format("{}_{}.h5", regions_[region].name, thousandths(mark));
     writer.post([record, path] {
         std::filesystem::create_directory(path.parent_path());  // not the run folder: that may be gone

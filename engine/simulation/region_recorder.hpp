@@ -1,10 +1,10 @@
 #pragma once
 #include <filesystem>
 
-#include "graph/pull.hpp"
 #include "io/region_series.hpp"
 #include "scene/scene.hpp"
 #include "simulation/background_writer.hpp"
+#include "simulation/simulation.hpp"
 
 namespace sandgraph::simulation {
 
@@ -12,15 +12,16 @@ namespace sandgraph::simulation {
 class RegionRecorder {
   public:
     // InputError for a region without material points.
-    RegionRecorder(const scene::Scene& scene, const graph::Pull& pull, double initial_porosity);
+    RegionRecorder(const scene::Scene& scene, const Simulation& simulation, double initial_porosity);
     // The regions by name, without rows.
     const std::vector<io::RegionSeries>& regions() const { return regions_; }
-    std::vector<io::RegionRow> rows(const graph::Pull& pull) const;  // one a region
-    // Posts packings/NAME_DDDD.h5 (DDDD: 1000 d/B) for every mark of d/B that the last step passed.
-    void keep_packings(const graph::Pull& pull, const std::filesystem::path& folder,
+    std::vector<io::RegionRow> rows(const Simulation& simulation) const;  // one a region
+    // Posts packings/NAME_DDDD.h5 (DDDD: 1000 d/B, without an anchor ms) for every mark that the last step
+    // passed.
+    void keep_packings(const Simulation& simulation, const std::filesystem::path& folder,
                        BackgroundWriter& writer);
-    // A resumed run goes on behind this d/B.
-    void resume_at(double d_over_B) { kept_to_ = d_over_B; }
+    // A resumed run goes on behind this mark.
+    void resume_at(double mark) { kept_to_ = mark; }
 
   private:
     struct Members {
@@ -28,9 +29,9 @@ class RegionRecorder {
         std::size_t middle = 0;  // the point nearest to the middle of the region
         std::vector<double> packings;
     };
-    io::RegionRow row(const graph::Pull& pull, const Members& members) const;
-    void keep(const graph::Pull& pull, std::size_t region, double mark, const std::filesystem::path& folder,
-              BackgroundWriter& writer) const;
+    io::RegionRow row(const Simulation& simulation, const Members& members) const;
+    void keep(const Simulation& simulation, std::size_t region, double mark,
+              const std::filesystem::path& folder, BackgroundWriter& writer) const;
 
     const dem::Material material_;
     double initial_porosity_, kept_to_ = -1;

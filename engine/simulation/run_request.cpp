@@ -37,9 +37,6 @@ scene::Scene scene_of(const RunRequest& a) {
                              "a surrogate stands in for packings of grains", "write ground.law = \"rve\"");
         scene.screening.model = model_file(scene).string();
     }
-    if (!scene.anchor.present)
-        throw InputError(scene.where("anchor.present"), "anchor.present = false", "`run` pulls an anchor",
-                         "give the scene an [anchor]");
     return scene;
 }
 

@@ -13,7 +13,15 @@ struct RunRequest {
     std::vector<std::string> set;     // section.key=value
     int threads = 0;                  // 0: all cores
     bool resume = false;
-    double until = 0;  // d/B at which to stop; 0: the scene's end
+    double until = 0;  // d/B (without an anchor time [s]) at which to stop; 0: the scene's end
+};
+
+// The same, decided.
+struct RunOptions {
+    std::filesystem::path folder;
+    int threads = 0;
+    double until = 0;  // mark at which to stop
+    bool resume = false;
 };
 
 int threads_of(const RunRequest& request);

@@ -8,7 +8,7 @@
 
 #include "graph/rve_law.hpp"
 #include "scene/read_scene.hpp"
-#include "simulation/build_pull.hpp"
+#include "simulation/scene_spec.hpp"
 
 namespace {
 
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     const scene::Scene scene = scene::read_scene(argc > 1 ? argv[1] : "configs/anchor_horizontal.toml");
     const double until = argc > 2 ? std::atof(argv[2]) : 0.02;
     const int steps = argc > 3 ? std::atoi(argv[3]) : 50;
-    const auto pull = simulation::build_pull(scene, packings::prepare_ground(scene));
+    const auto pull = simulation::simulation_of(scene, packings::prepare_ground(scene));
     const auto& law = dynamic_cast<const graph::RveLaw&>(*pull->state().law);
     while (pull->d_over_B() < until) pull->step();
     std::vector<Costs> recorded;

@@ -13,14 +13,14 @@
 namespace sandgraph::graph {
 namespace {
 
-using MakePull = std::unique_ptr<Pull> (*)();
+using MakePull = std::unique_ptr<simulation::Simulation> (*)();
 class RealPhases : public testing::TestWithParam<MakePull> {};
 
 constexpr int kSteps = 40;
 
-std::unique_ptr<Pull> moving(MakePull make) {
+std::unique_ptr<simulation::Simulation> moving(MakePull make) {
     auto pull = make();
-    pull->state().plate.velocity = Vec2(0, 0.05);
+    pull->state().bodies.front().plate.velocity = Vec2(0, 0.05);
     return pull;
 }
 
@@ -61,14 +61,13 @@ class Snapshot {
         : points_(s.points),
           grid_(s.grid),
           order_(s.order),
-          plate_(s.plate),
-          contact_(s.contact),
+          bodies_(s.bodies),
           work_{s.stress_work, s.work_before} {
         s.law->archive(law_);
         law_.read_from_now_on();
     }
     void restore(GroundState& s) {
-        s.points = points_, s.grid = grid_, s.order = order_, s.plate = plate_, s.contact = contact_;
+        s.points = points_, s.grid = grid_, s.order = order_, s.bodies = bodies_;
         s.stress_work = work_[0], s.work_before = work_[1];
         s.law->archive(law_);
     }
@@ -77,8 +76,7 @@ class Snapshot {
     mpm::Points points_;
     mpm::Grid grid_;
     mpm::Order order_;
-    mpm::RigidPlate plate_;
-    mpm::Contact contact_;
+    std::vector<Body> bodies_;
     double work_[2];
     support::MemoryArchive law_;
 };
@@ -89,14 +87,14 @@ void spoil(GroundState& s, Data data) {
         if (data == Data::points) s.points.vx[p] += 1e-3, s.points.volume[p] *= 1.001, s.points.y[p] += 1e-5;
         if (data == Data::increments) s.points.F_inc[p](0, 0) += 1e-5;
         if (data == Data::stress) s.points.stress[p].xx *= 1.001;
-        if (data == Data::contact) s.contact.slip[p] += 1e-5;
+        if (data == Data::contact) s.bodies.front().contact.slip[p] += 1e-5;
     }
     if (data == Data::grid)
         for (mpm::Field& field : s.grid.fields) {
             for (mpm::Node& n : field.nodes) n.mass *= 1.001, n.fx += 1;
             for (mpm::Motion& m : field.motion) m.vx += 1e-3;
         }
-    if (data == Data::bodies) s.plate.y += 1e-4, s.plate.velocity.y() += 1e-3;
+    if (data == Data::bodies) s.bodies.front().plate.y += 1e-4, s.bodies.front().plate.velocity.y() += 1e-3;
     if (data == Data::energy) s.stress_work += 1, s.work_before += 1;
 }
 

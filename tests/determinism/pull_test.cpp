@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSteps = 150;
 
-using MakePull = std::unique_ptr<graph::Pull> (*)();
+using MakePull = std::unique_ptr<simulation::Simulation> (*)();
 
 std::string digest_after(MakePull make, int steps, int threads) {
     tbb::task_arena arena(threads);

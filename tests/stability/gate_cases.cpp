@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "graph/pull.hpp"
 #include "stability/plate_ride.hpp"
 #include "stability/tampered_surrogate.hpp"
 
@@ -102,9 +101,9 @@ void in_mid_peak(Effort effort, Findings& found) {
                [&distrust](std::int32_t, stress::SurrogateAnswer& a) { a.spread = distrust ? 10 : 0; });
     };
     Ground ground(spec);
-    const graph::PullPlan plan{.rate = rate(effort), .settle = 0};
+    const simulation::Programme programme{.rate = rate(effort), .ramp = 0.01};
     const Ride r = ride(
-        ground, [&](double t) { return graph::pull_rate(plan, t); },
+        ground, [&](double t) { return simulation::rate_at(programme, t); },
         [&] {
             distrust = ground.travelled() > 0.012;
             return ground.travelled() < kDistance;

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
-#include "graph/step_phases.hpp"
 #include "graph/visits.hpp"
 #include "mpm/audit.hpp"
-#include "mpm/layout.hpp"
-#include "mpm/time_step.hpp"
 #include "packings/compressed_packings.hpp"
 #include "packings/rve_options.hpp"
 #include "surrogate/load_surrogate.hpp"
@@ -20,12 +16,6 @@ namespace {
 mpm::GridShape grid_of(const GroundSpec& s) {
     const auto cells = [&](double length) { return static_cast<int>(std::lround(length / s.cell)); };
     return {0, 0, s.cell, cells(s.soil.x1 + s.wide), cells(s.soil.y1 + s.room)};
-}
-
-mpm::Points points_of(const GroundSpec& s, double density) {
-    mpm::Layout layout{s.soil, s.cell, s.per_cell, density, {}};
-    if (s.plate) layout.cavities = {*s.plate};
-    return mpm::lay_out(layout);
 }
 
 double pressure_at(const GroundSpec& spec, double density, double depth) {
@@ -69,16 +59,25 @@ std::unique_ptr<stress::Law> law_of(const GroundSpec& spec, const packings::Comp
     return std::make_unique<graph::ScreeningLaw>(std::move(setup));
 }
 
-mpm::RigidPlate plate_of(const GroundSpec& spec, double modulus, double density) {
+mpm::RigidPlate plate_of(const GroundSpec& spec, double density) {
     const mpm::Rectangle& r = *spec.plate;
     mpm::RigidPlate plate;
     plate.x = 0.5 * (r.x0 + r.x1), plate.y = 0.5 * (r.y0 + r.y1);
     plate.half_width = 0.5 * (r.x1 - r.x0), plate.half_height = 0.5 * (r.y1 - r.y0);
     plate.friction_angle = std::numbers::pi / 2;
-    plate.stiffness = mpm::contact_stiffness(1, modulus, spec.cell);
-    const double gamma = density * gravity, p = spec.surcharge + gamma * (spec.soil.y1 - plate.y);
-    plate.rest = {p, p, gamma, gamma};
+    plate.rest = mpm::rest_pressure(spec.surcharge, density * gravity, spec.soil.y1 - plate.y);
     return plate;
+}
+
+simulation::Spec simulation_spec(const GroundSpec& spec, double density) {
+    simulation::Spec out;
+    out.ground = {spec.soil, spec.per_cell, density, {}, {}, {}};
+    out.grid = grid_of(spec), out.boundaries = spec.boundaries;
+    out.gravity = {0, -gravity}, out.surcharge = spec.surcharge;
+    out.scheme.courant = spec.courant, out.scheme.damping = spec.damping;
+    out.stable = spec.plate.has_value();
+    if (spec.plate) out.bodies = {{plate_of(spec, density), {}}};
+    return out;
 }
 
 }  // namespace
@@ -88,38 +87,27 @@ Ground::Ground(const GroundSpec& spec) {
     recipe.count = spec.grains;
     const packings::CompressedPackings packings(recipe);
     density_ = recipe.material.density * (1 - dem::porosity(packings.base_packing()));
-    mpm::Points points = points_of(spec, density_);
-    auto law = spec.plastic ? plastic_law(spec, points, density_)
+    simulation::Spec whole = simulation_spec(spec, density_);
+    whole.law = [&](const mpm::Points& points) {
+        return spec.plastic ? plastic_law(spec, points, density_)
                             : law_of(spec, packings, grains_of(spec, packings, recipe, points, density_));
-    const double modulus = law->p_wave_modulus();
-    graph::StepSettings settings;
-    settings.dt = spec.plate ? mpm::time_step({.courant = spec.courant}, {spec.cell, modulus, density_})
-                             : spec.courant * spec.cell * std::sqrt(density_ / modulus);
-    settings.scheme.damping = spec.damping, settings.gravity = gravity;
-    settings.surcharge = spec.surcharge, settings.boundaries = spec.boundaries;
-    state_ = std::make_unique<graph::GroundState>(settings, std::move(points), grid_of(spec));
-    if (spec.plate) state_->has_plate = true, state_->plate = plate_of(spec, modulus, density_);
-    state_->law = std::move(law);
-    state_->law->initialise(state_->batch());
-    graph_ = std::make_unique<graph::StepGraph>(graph::step_phases(*state_));
+    };
+    simulation_ = std::make_unique<simulation::Simulation>(whole);
 }
 
 void Ground::step(const Vec2& plate_velocity) {
-    state_->plate.velocity = plate_velocity;
-    state_->d_over_B = travelled_;
-    graph_->run();
-    time_ += dt(), travelled_ += dt() * plate_velocity.y();
-    plate_work_ += mpm::plate_work(state_->plate, state_->contact.reaction, dt());
-    if (!state_->status.good()) throw std::runtime_error("a point left the grid");
+    simulation_->step(plate_velocity);
+    if (has_plate()) plate_work_ += mpm::plate_work(body().plate, body().contact.reaction, dt());
 }
 
-double Ground::kinetic() const { return mpm::kinetic_energy(state_->points); }
-double Ground::potential() const { return mpm::gravity_potential(state_->points, {0, -gravity}); }
+double Ground::kinetic() const { return mpm::kinetic_energy(points()); }
+double Ground::potential() const { return mpm::gravity_potential(points(), {0, -gravity}); }
 
 const graph::RveCounters& Ground::counters() const {
     static const graph::RveCounters no_counters;
-    if (const auto* law = dynamic_cast<const graph::ScreeningLaw*>(state_->law.get())) return law->counters();
-    if (!dynamic_cast<const graph::RveLaw*>(state_->law.get())) return no_counters;
+    const stress::Law* any = simulation_->state().law.get();
+    if (const auto* law = dynamic_cast<const graph::ScreeningLaw*>(any)) return law->counters();
+    if (!dynamic_cast<const graph::RveLaw*>(any)) return no_counters;
     return rves().counters();
 }
 

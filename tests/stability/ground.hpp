@@ -3,10 +3,9 @@
 #include <memory>
 #include <optional>
 
-#include "graph/ground_state.hpp"
 #include "graph/rve_law.hpp"
 #include "graph/screening/law.hpp"
-#include "graph/step_graph.hpp"
+#include "simulation/simulation.hpp"
 #include "stress/mohr_coulomb.hpp"
 
 namespace sandgraph::stability {
@@ -38,28 +37,31 @@ class Ground {
 
     // One step with the plate at this velocity. std::runtime_error when a point left the grid.
     void step(const Vec2& plate_velocity = Vec2::Zero());
-    graph::GroundState& state() { return *state_; }
-    mpm::Points& points() { return state_->points; }
-    const mpm::Points& points() const { return state_->points; }
-    const graph::RveLaw& rves() const { return dynamic_cast<const graph::RveLaw&>(*state_->law); }
-    const graph::ScreeningLaw& screening() const {
-        return dynamic_cast<const graph::ScreeningLaw&>(*state_->law);
+    graph::GroundState& state() { return simulation_->state(); }
+    mpm::Points& points() { return state().points; }
+    const mpm::Points& points() const { return simulation_->state().points; }
+    const graph::Body& body() const { return simulation_->state().bodies.front(); }
+    const graph::RveLaw& rves() const {
+        return dynamic_cast<const graph::RveLaw&>(*simulation_->state().law);
     }
-    double dt() const { return state_->settings.dt; }
-    double cell() const { return state_->grid.shape.cell; }
-    double time() const { return time_; }
-    double density() const { return density_; }                                // [kg/m3]
-    double travelled() const { return travelled_; }                            // of the plate, up [m]
-    double load() const { return state_->contact.reaction.total().y() * -1; }  // against an upward pull [N/m]
-    double kinetic() const;                                                    // [J/m]
-    double potential() const;                                                  // of gravity [J/m]
-    double plate_work() const { return plate_work_; }                          // done on the soil [J/m]
+    const graph::ScreeningLaw& screening() const {
+        return dynamic_cast<const graph::ScreeningLaw&>(*simulation_->state().law);
+    }
+    double dt() const { return simulation_->state().settings.dt; }
+    double cell() const { return simulation_->state().grid.shape.cell; }
+    double time() const { return simulation_->time(); }
+    double density() const { return density_; }                 // [kg/m3]
+    double travelled() const { return simulation_->travel(); }  // of the plate, up [m]
+    double load() const { return simulation_->load(); }         // against an upward pull [N/m]
+    double kinetic() const;                                     // [J/m]
+    double potential() const;                                   // of gravity [J/m]
+    double plate_work() const { return plate_work_; }           // done on the soil [J/m]
     const graph::RveCounters& counters() const;
 
   private:
-    std::unique_ptr<graph::GroundState> state_;
-    std::unique_ptr<graph::StepGraph> graph_;
-    double density_ = 0, time_ = 0, travelled_ = 0, plate_work_ = 0;
+    bool has_plate() const { return simulation_->anchored(); }
+    std::unique_ptr<simulation::Simulation> simulation_;
+    double density_ = 0, plate_work_ = 0;
 };
 
 // Largest difference of a point's stress from `before`, in shares of max(p before, 1 kPa).

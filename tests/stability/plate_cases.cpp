@@ -46,7 +46,7 @@ void out_of_the_ground(Effort effort, Findings& found, bool screening) {
     const Ride r = pull(ground, rate, lift);
     check_ride(ground, r, found);
     double carried = 0;
-    const mpm::Rectangle plate = ground.state().plate.rectangle();
+    const mpm::Rectangle plate = ground.body().plate.rectangle();
     for (std::size_t p = 0; p < ground.points().size(); ++p)
         if (ground.points().x[p] < plate.x1 + ground.points().half && ground.points().y[p] > plate.y1)
             carried += ground.points().mass[p] * gravity;
@@ -54,7 +54,7 @@ void out_of_the_ground(Effort effort, Findings& found, bool screening) {
     found.within("load at the end over the weight of what lies on the plate",
                  r.mean_load(lift - 0.05, lift) / carried, 0.6, 1.4);
     found.exactly("force on the bottom face at the end [N/m]",
-                  ground.state().contact.reaction.face(mpm::Face::bottom).norm(), 0);
+                  ground.body().contact.reaction.face(mpm::Face::bottom).norm(), 0);
 }
 
 void check_inertia(Effort effort, const Ride& r, Findings& found) {

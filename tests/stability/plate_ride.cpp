@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph/pull.hpp"
 #include "mpm/contact.hpp"
 
 namespace sandgraph::stability {
@@ -50,12 +49,12 @@ Ride ride(Ground& ground, const std::function<double(double)>& velocity, const s
     const double rest = ground.time() + 0.05, before = ground.plate_work();
     while (go_on()) {
         ground.step({0, ground.time() < rest ? 0 : velocity(ground.time() - rest)});
-        const mpm::Reaction& r = ground.state().contact.reaction;
+        const mpm::Reaction& r = ground.body().contact.reaction;
         out.travel.push_back(ground.travelled()), out.load.push_back(ground.load());
         out.trailing_pull = std::max(out.trailing_pull, -r.face(mpm::Face::bottom).y());
         out.leading_pull = std::max(out.leading_pull, r.face(mpm::Face::top).y());
         out.deepest =
-            std::max(out.deepest, inside(ground.points(), ground.state().plate.rectangle()) / ground.cell());
+            std::max(out.deepest, inside(ground.points(), ground.body().plate.rectangle()) / ground.cell());
         if (std::fabs(ground.travelled()) > 0.005)
             out.kinetic_share =
                 std::max(out.kinetic_share, ground.kinetic() / std::max(ground.plate_work() - before, 1e-9));
@@ -64,9 +63,9 @@ Ride ride(Ground& ground, const std::function<double(double)>& velocity, const s
 }
 
 Ride pull(Ground& ground, double rate, double distance) {
-    const graph::PullPlan plan{.rate = rate, .settle = 0};
+    const simulation::Programme programme{.rate = rate, .ramp = 0.01};
     return ride(
-        ground, [&](double t) { return graph::pull_rate(plan, t); },
+        ground, [&](double t) { return simulation::rate_at(programme, t); },
         [&] { return ground.travelled() < distance; });
 }
 

@@ -9,13 +9,11 @@
 #include "dem/packing/observe.hpp"
 #include "element_surrogate.hpp"
 #include "graph/screening/law.hpp"
-#include "mpm/layout.hpp"
-#include "mpm/time_step.hpp"
 
 namespace sandgraph::support {
 namespace {
 
-constexpr double kCell = 0.25, kGravity = 9.81;
+constexpr double kCell = 0.25, kGravity = 9.81, kDensity = 2230;
 constexpr double kPlateDepth = 1.125;  // of its centre [m]
 
 // Of the ground, in cells.
@@ -46,7 +44,7 @@ graph::RowPacking row_packing(double pressure) {
 const std::vector<graph::RowPacking>& rows(int count) {
     static std::vector<graph::RowPacking> made;
     while (std::ssize(made) < count)
-        made.push_back(row_packing(2230 * kGravity * kCell * (static_cast<double>(made.size()) + 0.5)));
+        made.push_back(row_packing(kDensity * kGravity * kCell * (static_cast<double>(made.size()) + 0.5)));
     return made;
 }
 
@@ -74,40 +72,29 @@ std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
     return std::make_unique<graph::ScreeningLaw>(std::move(setup));
 }
 
-using MakeLaw = std::unique_ptr<stress::Law> (*)(const mpm::Points&);
-
-std::unique_ptr<graph::Pull> pull_with(const Extent& extent, MakeLaw make_law) {
-    const double width = extent.columns * kCell, depth = extent.rows * kCell;
-    mpm::RigidPlate plate;
-    plate.y = depth - kPlateDepth, plate.half_width = 0.5, plate.half_height = 0.125;
+std::unique_ptr<simulation::Simulation> pull_with(const Extent& extent,
+                                                  const simulation::LawFactory& law) {
+    const double depth = extent.rows * kCell;
+    mpm::RigidPlate plate{0, depth - kPlateDepth, 0.5, 0.125};
     plate.friction_angle = std::numbers::pi / 2;
-    mpm::Layout layout{{0, 0, width, depth}, kCell, 1, 2230, {plate.rectangle()}};
-    mpm::Points points = mpm::lay_out(layout);
-    auto law = make_law(points);
-    const double modulus = law->p_wave_modulus();
-    graph::StepSettings settings;
-    settings.dt = mpm::time_step(settings.scheme, {kCell, modulus, 2230});
-    settings.gravity = kGravity;
-    settings.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
-    auto state = std::make_unique<graph::GroundState>(
-        settings, std::move(points), mpm::GridShape{0, 0, kCell, extent.columns, extent.rows + 6});
-    state->has_plate = true;
-    plate.stiffness = mpm::contact_stiffness(1, modulus, kCell);
-    const double gamma = 2230 * kGravity, pressure = gamma * kPlateDepth;
-    plate.rest = {pressure, pressure, gamma, gamma};
-    state->plate = plate;
-    state->law = std::move(law);
-    state->law->initialise(state->batch());
-    return std::make_unique<graph::Pull>(std::move(state), graph::PullPlan{.settle = 0.002});
+    plate.rest = mpm::rest_pressure(0, kDensity * kGravity, kPlateDepth);
+    simulation::Spec spec;
+    spec.ground.extent = {0, 0, extent.columns * kCell, depth};
+    spec.ground.density = kDensity;
+    spec.grid = {0, 0, kCell, extent.columns, extent.rows + 6};
+    spec.gravity = {0, -kGravity};
+    spec.bodies = {{plate, {.rate = 0.05, .ramp = 0.01, .settle = 0.002}}};
+    spec.law = law;
+    return std::make_unique<simulation::Simulation>(spec);
 }
 
 }  // namespace
 
-std::unique_ptr<graph::Pull> small_pull() { return pull_with(small, full_law); }
-std::unique_ptr<graph::Pull> small_screening_pull() { return pull_with(small, screening_law); }
-std::unique_ptr<graph::Pull> wide_pull() { return pull_with(wide, full_law); }
+std::unique_ptr<simulation::Simulation> small_pull() { return pull_with(small, full_law); }
+std::unique_ptr<simulation::Simulation> small_screening_pull() { return pull_with(small, screening_law); }
+std::unique_ptr<simulation::Simulation> wide_pull() { return pull_with(wide, full_law); }
 
-std::string digest(const graph::Pull& pull) {
+std::string digest(const simulation::Simulation& pull) {
     const mpm::Points& g = pull.state().points;
     std::string out = fmt::format("{:a} {:a}\n", pull.load(), pull.state().stress_work);
     if (const auto* law = dynamic_cast<const graph::ScreeningLaw*>(pull.state().law.get())) {

@@ -1,20 +1,20 @@
 #pragma once
 #include "dem/prepare/prepare.hpp"
-#include "graph/pull.hpp"
 #include "graph/rve_law.hpp"
+#include "simulation/simulation.hpp"
 
 namespace sandgraph::support {
 
 // A pull that takes a second: 8 x 8 cells of 0.25 m, a packing of 100 grains at every point, plate 1 m deep.
-std::unique_ptr<graph::Pull> small_pull();
+std::unique_ptr<simulation::Simulation> small_pull();
 
 // The same with a closed-form surrogate, a gate that some points pass, and every fourth point audited.
-std::unique_ptr<graph::Pull> small_screening_pull();
+std::unique_ptr<simulation::Simulation> small_screening_pull();
 
 // A ground of 32 x 64 cells round the same plate: more points than mpm::serial_limit, in nine bands.
-std::unique_ptr<graph::Pull> wide_pull();
+std::unique_ptr<simulation::Simulation> wide_pull();
 
 // Every bit that the simulation carries, as one text.
-std::string digest(const graph::Pull& pull);
+std::string digest(const simulation::Simulation& pull);
 
 }  // namespace sandgraph::support

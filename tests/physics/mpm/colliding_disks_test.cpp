@@ -3,9 +3,7 @@
 
 #include <cmath>
 
-#include "mpm/layout.hpp"
-#include "stress/elastic.hpp"
-#include "tests/support/macro_model.hpp"
+#include "tests/support/bare_spec.hpp"
 
 namespace sandgraph {
 namespace {
@@ -14,28 +12,17 @@ namespace {
 // towards each other at (0.1, 0.1) m/s: they meet at (0.4 sqrt 2 - 2 r) / (0.2 sqrt 2) = 0.586 s.
 constexpr double cell = 0.05, r = 0.2, density = 1000, speed = 0.1;
 
-void keep(mpm::Points& points, const std::vector<std::size_t>& chosen) {
-    const mpm::Points all = points;
-    points = {};
-    points.half = all.half;
-    for (const std::size_t p : chosen) {
-        points.x.push_back(all.x[p]), points.y.push_back(all.y[p]);
-        points.mass.push_back(all.mass[p]), points.volume0.push_back(all.volume0[p]);
-    }
-    points.volume = points.volume0;
-    mpm::resize(points, chosen.size());
-}
-
-mpm::Points disks() {
-    mpm::Points points = mpm::lay_out({{0, 0, 1, 1}, cell, 4, density, {}});
-    std::vector<std::size_t> inside;
-    for (std::size_t p = 0; p < points.size(); ++p)
-        for (const double c : {0.3, 0.7})
-            if (std::hypot(points.x[p] - c, points.y[p] - c) < r) inside.push_back(p);
-    keep(points, inside);
-    for (std::size_t p = 0; p < points.size(); ++p)
-        points.vx[p] = points.vy[p] = points.x[p] < 0.5 ? speed : -speed;
-    return points;
+simulation::Spec disks() {
+    simulation::Spec spec = support::bare_spec({-0.5, -0.5, cell, 40, 40});
+    spec.ground.points_per_cell = 4;
+    spec.ground.density = density;
+    spec.ground.inside = [](double x, double y) {
+        return std::hypot(x - 0.3, y - 0.3) < r || std::hypot(x - 0.7, y - 0.7) < r;
+    };
+    spec.ground.velocity = [](double x, double) { return Vec2::Constant(x < 0.5 ? speed : -speed); };
+    spec.law = support::elastic({1000, 0.3});
+    spec.scheme.courant = 0.1;
+    return spec;
 }
 
 struct Collision {
@@ -43,21 +30,17 @@ struct Collision {
 };
 
 Collision collide() {
-    support::MacroModel model({-0.5, -0.5, cell, 40, 40});
-    model.points = disks();
-    model.law = std::make_unique<stress::Elastic>(stress::ElasticConstants{1000, 0.3},
-                                                  std::vector<Stress>(model.points.size()));
-    model.set_time_step(0.1 * cell / std::sqrt(model.law->p_wave_modulus() / density));
-    model.audit = true;
-    model.start();
+    simulation::Simulation model(disks());
+    const mpm::Points& points = model.state().points;
     Collision c;
-    const double before = mpm::kinetic_energy(model.points);
-    for (double t = 0; t < 3.5; t += model.update.dt) {
-        EXPECT_TRUE(model.step().good());
-        const double share = mpm::kinetic_energy(model.points) / before;
+    const double before = mpm::kinetic_energy(points);
+    while (model.time() < 3.5) {
+        const double t = model.time();
+        model.step();
+        const double share = mpm::kinetic_energy(points) / before;
         if (share < c.minimum) c.minimum = share, c.minimum_time = t;
-        c.momentum = std::max(c.momentum, mpm::momentum(model.points).norm());
-        c.final_kinetic = share, c.final_total = share + model.work / before;
+        c.momentum = std::max(c.momentum, mpm::momentum(points).norm());
+        c.final_kinetic = share, c.final_total = share + model.state().stress_work / before;
         c.largest_total = std::max(c.largest_total, c.final_total);
     }
     return c;

@@ -3,9 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mpm/layout.hpp"
-#include "stress/elastic.hpp"
-#include "tests/support/macro_model.hpp"
+#include "tests/support/bare_spec.hpp"
 
 namespace sandgraph {
 namespace {
@@ -16,17 +14,17 @@ struct Swing {
     double peak = 0, period = 0;  // mean settlement [m], [s]
 };
 
-support::MacroModel column(int cells, int per_cell) {
+simulation::Spec column(int cells, int per_cell) {
     const double cell = H / cells;
-    support::MacroModel model({0, 0, cell, 2, cells + 2});
-    model.points = mpm::lay_out({{0, 0, 2 * cell, H}, cell, per_cell, density, {}});
-    model.law = std::make_unique<stress::Elastic>(stress::ElasticConstants{young, 0},
-                                                  std::vector<Stress>(model.points.size()));
-    model.update.gravity = {0, -gravity};
-    model.update.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
-    model.set_time_step(0.02 * cell / std::sqrt(young / density));
-    model.start();
-    return model;
+    simulation::Spec spec = support::bare_spec({0, 0, cell, 2, cells + 2});
+    spec.ground.extent = {0, 0, 2 * cell, H};
+    spec.ground.points_per_cell = per_cell;
+    spec.ground.density = density;
+    spec.law = support::elastic({young, 0});
+    spec.gravity = {0, -gravity};
+    spec.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
+    spec.scheme.courant = 0.02;
+    return spec;
 }
 
 double mean_height(const mpm::Points& points) {
@@ -34,13 +32,13 @@ double mean_height(const mpm::Points& points) {
 }
 
 // The peak, and the period between two upward crossings of the static mean, interpolated.
-Swing swing(support::MacroModel& model, double rest) {
+Swing swing(simulation::Simulation& model, double rest) {
     Swing s;
-    const double start = mean_height(model.points), dt = model.update.dt;
+    const double start = mean_height(model.state().points), dt = model.state().settings.dt;
     std::vector<double> crossings;
     for (double old = 0, t = 0; crossings.size() < 2 && t < 0.06; t += dt) {
         model.step();
-        const double settlement = start - mean_height(model.points);
+        const double settlement = start - mean_height(model.state().points);
         s.peak = std::max(s.peak, settlement);
         if (old < rest && settlement >= rest) crossings.push_back(t + dt * (rest - old) / (settlement - old));
         old = settlement;
@@ -57,7 +55,7 @@ struct Case {
 class GravityColumn : public testing::TestWithParam<Case> {};
 
 TEST_P(GravityColumn, SettlesTwiceTheStaticMeanAndComesBack) {
-    support::MacroModel model = column(GetParam().cells, GetParam().per_cell);
+    simulation::Simulation model(column(GetParam().cells, GetParam().per_cell));
     const double exact = 2 * density * gravity * H * H / (3 * young),
                  period = 4 * H / std::sqrt(young / density);
     const Swing s = swing(model, exact / 2);

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/layout.hpp"
-#include "stress/elastic.hpp"
-#include "tests/support/macro_model.hpp"
+#include "tests/support/bare_spec.hpp"
 
 namespace sandgraph {
 namespace {
@@ -13,17 +11,16 @@ namespace {
 constexpr double young = 1e6, density = 1000;
 
 // One cell on rollers with a free top; `per_cell` points.
-support::MacroModel element(int per_cell, mpm::Side right) {
-    support::MacroModel model({0, 0, 1, 2, 2});
-    model.points = mpm::lay_out({{0, 0, 1, 1}, 1, per_cell, density, {}});
-    model.law = std::make_unique<stress::Elastic>(stress::ElasticConstants{young, 0.25},
-                                                  std::vector<Stress>(model.points.size()));
-    model.update.boundaries = {mpm::Side::mirror, right, mpm::Side::mirror, mpm::Side::free};
-    model.update.damping = 0.5;
-    model.advance.pic = 0.05;  // points of one cell have modes that the grid does not see
-    model.set_time_step(0.05 / std::sqrt(young / density));
-    model.start();
-    return model;
+simulation::Spec element(int per_cell, mpm::Side right) {
+    simulation::Spec spec = support::bare_spec({0, 0, 1, 2, 2});
+    spec.ground.points_per_cell = per_cell;
+    spec.ground.density = density;
+    spec.law = support::elastic({young, 0.25});
+    spec.boundaries = {mpm::Side::mirror, right, mpm::Side::mirror, mpm::Side::free};
+    spec.scheme.damping = 0.5;
+    spec.scheme.pic_fraction = 0.05;              // points of one cell have modes that the grid does not see
+    spec.scheme.courant = 0.05 * std::sqrt(1.2);  // M = 1.2 E: dt = 0.05 s of a wave of speed sqrt(E/rho)
+    return spec;
 }
 
 double worst(const mpm::Points& points, double xx, double yy) {
@@ -35,20 +32,21 @@ double worst(const mpm::Points& points, double xx, double yy) {
 
 TEST(OneElement, FollowsARampOfTractionToItsEnd) {
     for (const int per_cell : {1, 4}) {
-        support::MacroModel model = element(per_cell, mpm::Side::free);
-        for (double t = 0; t < 15; t += model.update.dt) {
-            model.surcharge = -std::min(1.0, t / 0.5);  // pulls
+        simulation::Simulation model(element(per_cell, mpm::Side::free));
+        while (model.time() < 15) {
+            model.state().settings.surcharge = -std::min(1.0, model.time() / 0.5);  // pulls
             model.step();
         }
-        EXPECT_LT(worst(model.points, 0, 1), per_cell == 1 ? 1e-6 : 1e-5) << per_cell;
+        EXPECT_LT(worst(model.state().points, 0, 1), per_cell == 1 ? 1e-6 : 1e-5) << per_cell;
     }
 }
 
 TEST(OneElement, SettlesUnderASuddenLoad) {
-    support::MacroModel model = element(4, mpm::Side::free);
-    model.surcharge = 1;
-    model.steps(30000);
-    EXPECT_LT(worst(model.points, 0, -1), 1e-6);
+    simulation::Spec spec = element(4, mpm::Side::free);
+    spec.surcharge = 1;
+    simulation::Simulation model(spec);
+    support::steps(model, 30000);
+    EXPECT_LT(worst(model.state().points, 0, -1), 1e-6);
 }
 
 }  // namespace

@@ -3,10 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mpm/layout.hpp"
-#include "mpm/plate.hpp"
-#include "stress/elastic.hpp"
-#include "tests/support/macro_model.hpp"
+#include "tests/support/bare_spec.hpp"
 
 namespace sandgraph {
 namespace {
@@ -15,37 +12,32 @@ constexpr double cell = 0.1, density = 2000, gravity = 9.81, young = 1e7, length
 constexpr double slope = std::numbers::pi / 6;
 
 // An incline of 30 degrees: the plate lies level and gravity is turned.
-support::MacroModel incline(double friction) {
-    support::MacroModel model({0, 0, cell, 50, 10});
+simulation::Spec incline(double friction) {
+    simulation::Spec spec = support::bare_spec({0, 0, cell, 50, 10});
     const double x = 1.02, y = 0.33;
-    model.points = mpm::lay_out({{x, y, x + length, y + height}, cell, 4, density, {}});
-    const Vec2 g = gravity * Vec2(std::sin(slope), -std::cos(slope));
-    std::vector<Stress> initial(model.points.size());
-    for (std::size_t p = 0; p < initial.size(); ++p)
-        initial[p].yy = density * g.y() * (model.points.row[p] + 0.5) * 2 * model.points.half;
-    model.law = std::make_unique<stress::Elastic>(stress::ElasticConstants{young, 0.2}, initial);
-    const double base = -density * g.y() * height;
-    model.plate = mpm::RigidPlate{2.5,
-                                  y - 0.1,
-                                  2.3,
-                                  0.1,
-                                  Vec2::Zero(),
-                                  std::atan(friction),
-                                  mpm::contact_stiffness(1, model.law->p_wave_modulus(), cell),
-                                  {base, 0, 0, 0}};
-    model.update.gravity = g;
-    model.set_time_step(0.3 * cell / std::sqrt(model.law->p_wave_modulus() / density));
-    model.start();
-    return model;
+    spec.ground.extent = {x, y, x + length, y + height};
+    spec.ground.points_per_cell = 4;
+    spec.ground.density = density;
+    spec.gravity = gravity * Vec2(std::sin(slope), -std::cos(slope));
+    const double weight = -density * spec.gravity.y();
+    spec.law = support::elastic({young, 0.2}, [weight](const mpm::Points& points, std::size_t p) {
+        return Stress{0, -weight * (points.row[p] + 0.5) * 2 * points.half, 0};
+    });
+    mpm::RigidPlate plate{2.5, y - 0.1, 2.3, 0.1};
+    plate.friction_angle = std::atan(friction);
+    plate.rest.vertical = weight * height;
+    spec.bodies = {{plate, {}}};
+    spec.scheme.courant = 0.3;
+    return spec;
 }
 
 // Sliding from the first step, faster than the block's own vibrations: else the contact's elastic shear takes
 // its few microns first, and the base sticks now and then.
-void set_sliding(support::MacroModel& model, double speed) {
-    std::fill(model.points.vx.begin(), model.points.vx.end(), speed);
-    std::fill(model.contact.slip.begin(), model.contact.slip.end(), 1.0);
-    std::fill(model.contact.face.begin(), model.contact.face.end(),
-              static_cast<std::uint8_t>(mpm::Face::top));
+void set_sliding(graph::GroundState& state, double speed) {
+    mpm::Contact& contact = state.bodies.front().contact;
+    std::fill(state.points.vx.begin(), state.points.vx.end(), speed);
+    std::fill(contact.slip.begin(), contact.slip.end(), 1.0);
+    std::fill(contact.face.begin(), contact.face.end(), static_cast<std::uint8_t>(mpm::Face::top));
 }
 
 double mean_x(const mpm::Points& points) {
@@ -60,13 +52,13 @@ struct Slide {
 
 // The exact distance in the time stepping used, v before x: s = v0 t + a t (t + dt) / 2.
 Slide slide(double friction, double time, double speed) {
-    support::MacroModel model = incline(friction);
-    if (speed > 0) set_sliding(model, speed);
-    const double start = mean_x(model.points), dt = model.update.dt;
+    simulation::Simulation model(incline(friction));
+    if (speed > 0) set_sliding(model.state(), speed);
+    const double start = mean_x(model.state().points), dt = model.state().settings.dt;
     const int steps = static_cast<int>(std::lround(time / dt));
-    model.steps(steps);
+    support::steps(model, steps);
     const double t = steps * dt, a = gravity * (std::sin(slope) - friction * std::cos(slope));
-    return {mean_x(model.points) - start, speed * t + 0.5 * a * t * (t + dt)};
+    return {mean_x(model.state().points) - start, speed * t + 0.5 * a * t * (t + dt)};
 }
 
 TEST(SlidingBlock, AcceleratesByCoulombsLaw) {

@@ -78,5 +78,11 @@ TEST(Geometry, IsNotAskedForWithoutAnAnchor) {
     EXPECT_EQ(refused("[domain]\nwidth = \"0.5 m\"\ndepth = \"1 m\"\n[anchor]\npresent = false"), "accepted");
 }
 
+TEST(Geometry, EndTimeIsForGroundWithoutAnAnchor) {
+    const std::string ends = "[mpm]\nend_time = \"2 s\"\n";
+    expect_refused(ends, "2", "ends with the pull");
+    EXPECT_EQ(refused(ends + "[anchor]\npresent = false"), "accepted");
+}
+
 }  // namespace
 }  // namespace sandgraph::scene

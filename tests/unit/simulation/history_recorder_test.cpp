@@ -11,8 +11,8 @@
 #include "mpm/layout.hpp"
 #include "packings/rve_options.hpp"
 #include "scene/read_scene.hpp"
-#include "simulation/build_pull.hpp"
 #include "simulation/history_points.hpp"
+#include "simulation/scene_spec.hpp"
 #include "surrogate/load_surrogate.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -52,7 +52,7 @@ io::HistoryLog logged(const scene::Scene& scene, const packings::PreparedGround&
     const test::Scratch folder;
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
-    const auto pull = build_pull(scene, prepared);
+    const auto pull = simulation_of(scene, prepared);
     HistoryRecorder recorder(scene, prepared, *pull, folder.path(), false);
     BackgroundWriter writer;
     for (int step = 0; step < steps; ++step) {
@@ -116,7 +116,7 @@ TEST(HistoryRecorder, LogOfAScreeningRunIsThatOfItsAuditedPackings) {
 }
 
 TEST(HistoryRecorder, TimeBetweenRowsAddsUpToNoMoreThanTheRun) {
-    const auto pull = build_pull(small_scene(), ground());
+    const auto pull = simulation_of(small_scene(), ground());
     const double end = kSteps * pull->state().settings.dt;
     for (std::size_t h = 0; h < log().histories.size(); ++h) {
         double time = 0;
@@ -154,7 +154,7 @@ TEST(HistoryRecorder, RefusesGroundWithoutGrains) {
     scene::Scene scene = small_scene();
     scene.ground.law = scene::Law::elastic;
     const packings::PreparedGround elastic = packings::prepare_ground(scene);
-    const auto pull = build_pull(scene, elastic);
+    const auto pull = simulation_of(scene, elastic);
     const test::Scratch folder;
     EXPECT_THROW(HistoryRecorder(scene, elastic, *pull, folder.path(), false), InputError);
 }

@@ -10,8 +10,13 @@
 namespace sandgraph::simulation {
 namespace {
 
-ProgressState at(double d_over_B) {
-    return {.step = 10, .d_over_B = d_over_B, .target = 0.4, .load = 12345, .rve_active = 7};
+ProgressState at(double mark) {
+    return {.step = 10, .mark = mark, .target = 0.4, .load = 12345, .rve_active = 7};
+}
+
+TEST(ProgressLine, CountsTimeWithoutAnAnchor) {
+    const ProgressState settling{.step = 10, .mark = 0.5, .target = 1, .rve_active = 7, .anchored = false};
+    EXPECT_EQ(progress_line(settling, 4.0), "step 10  0.5000 of 1 s  RVEs 7  4 s left");
 }
 
 TEST(ProgressLine, SaysWhereTheRunStands) {

@@ -1,4 +1,4 @@
-#include "simulation/build_pull.hpp"
+#include "simulation/scene_spec.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
 #include "packings/rve_options.hpp"
 #include "simulation/build_screening.hpp"
@@ -16,7 +15,8 @@
 namespace sandgraph::simulation {
 namespace {
 
-constexpr double kHeave = 1.0;  // room above the ground beyond the pull itself [m]
+constexpr double kHeave = 1.0;    // room above the ground beyond the pull itself [m]
+constexpr double kSettle = 0.05;  // at rest before the pull [s]
 
 bool horizontal(const scene::Scene& s) { return s.anchor.orientation == scene::Orientation::horizontal; }
 
@@ -32,24 +32,6 @@ mpm::RigidPlate plate_of(const scene::Scene& scene) {
     return plate;
 }
 
-// K0 = 1: the pressure at the plate's centre, linear with depth.
-mpm::RestPressure rest_pressure(const scene::Scene& scene, const packings::PreparedGround& ground,
-                                const mpm::RigidPlate& p) {
-    const double gamma = ground.density * scene.ground.gravity;
-    const double pressure = scene.ground.surcharge + gamma * (scene.domain.depth - p.y);
-    return {pressure, pressure, gamma, gamma};
-}
-
-mpm::Points lay_out(const scene::Scene& scene, const packings::PreparedGround& ground) {
-    mpm::Layout layout;
-    layout.ground = {0, 0, scene.domain.width, scene.domain.depth};
-    layout.cell = scene.domain.cell;
-    layout.points_per_cell = scene.domain.points_per_cell;
-    layout.density = ground.density;
-    if (scene.anchor.present) layout.cavities = {plate_of(scene).rectangle()};
-    return mpm::lay_out(layout);
-}
-
 mpm::GridShape grid_shape(const scene::Scene& scene) {
     const double lift = scene.anchor.present ? scene.anchor.pull_to * scene.anchor.width : 0,
                  cell = scene.domain.cell;
@@ -57,16 +39,20 @@ mpm::GridShape grid_shape(const scene::Scene& scene) {
             static_cast<int>(std::ceil((scene.domain.depth + lift + kHeave) / cell))};
 }
 
-std::unique_ptr<stress::Law> law_of(const scene::Scene& scene, const packings::PreparedGround& ground,
-                                    const mpm::Points& points) {
+std::unique_ptr<stress::Law> granular_law(const scene::Scene& scene, const packings::PreparedGround& ground,
+                                          const mpm::Points& points) {
     const scene::Ground& g = scene.ground;
-    if (g.law == scene::Law::rve) {
-        const std::vector<double>& radii = ground.rows.front().packing->grains->radius;
-        graph::RveLawSetup setup{g.grains.material, packings::rve_options(g.rve, g.grains.material, radii),
-                                 ground.rows, points.row, g.rve};
-        if (scene.mode == scene::Mode::screening) return screening_law(scene, ground, std::move(setup));
-        return std::make_unique<graph::RveLaw>(std::move(setup));
-    }
+    const std::vector<double>& radii = ground.rows.front().packing->grains->radius;
+    graph::RveLawSetup setup{g.grains.material, packings::rve_options(g.rve, g.grains.material, radii),
+                             ground.rows, points.row, g.rve};
+    if (scene.mode == scene::Mode::screening) return screening_law(scene, ground, std::move(setup));
+    return std::make_unique<graph::RveLaw>(std::move(setup));
+}
+
+std::unique_ptr<stress::Law> closed_form_law(const scene::Scene& scene,
+                                             const packings::PreparedGround& ground,
+                                             const mpm::Points& points) {
+    const scene::Ground& g = scene.ground;
     std::vector<Stress> initial;
     std::vector<double> out_of_plane;
     for (const std::int32_t row : points.row) {
@@ -82,15 +68,30 @@ std::unique_ptr<stress::Law> law_of(const scene::Scene& scene, const packings::P
     return std::make_unique<stress::MohrCoulomb>(strength, std::move(initial), std::move(out_of_plane));
 }
 
-graph::StepSettings settings_of(const scene::Scene& scene, const packings::PreparedGround& ground,
-                                double modulus) {
-    graph::StepSettings s;
-    s.dt = mpm::time_step(scene.mpm, {scene.domain.cell, modulus, ground.density});
-    s.scheme = scene.mpm;
-    s.gravity = scene.ground.gravity;
-    s.surcharge = scene.ground.surcharge;
-    s.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
-    return s;
+LawFactory law_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
+    const auto make = scene.ground.law == scene::Law::rve ? granular_law : closed_form_law;
+    return [make, scene, ground](const mpm::Points& points) { return make(scene, ground, points); };
+}
+
+GroundSpec ground_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
+    GroundSpec out;
+    out.extent = {0, 0, scene.domain.width, scene.domain.depth};
+    out.points_per_cell = scene.domain.points_per_cell;
+    out.density = ground.density;
+    return out;
+}
+
+// Pulled along its normal.
+BodySpec anchor_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
+    const scene::Anchor& a = scene.anchor;
+    BodySpec body{plate_of(scene), {}};
+    body.plate.rest = mpm::rest_pressure(scene.ground.surcharge, ground.density * scene.ground.gravity,
+                                         scene.domain.depth - body.plate.y);
+    body.programme.direction = horizontal(scene) ? Vec2(0, 1) : Vec2(1, 0);
+    body.programme.rate = a.pull_rate;
+    body.programme.ramp = a.ramp * a.width;
+    body.programme.settle = kSettle;
+    return body;
 }
 
 // Faster than that, touches come and go between two looks at them.
@@ -102,23 +103,6 @@ void require_slow_plate(const scene::Scene& scene, double dt) {
                          fmt::format("anchor.pull_rate = {:g} m/s", scene.anchor.pull_rate),
                          fmt::format("the plate would move {:.2g} cells in one step of {:.2g} s", cells, dt),
                          fmt::format("pull with {:.2g} m/s at most", most * scene.domain.cell / dt));
-}
-
-void add_plate(const scene::Scene& scene, const packings::PreparedGround& ground, graph::GroundState& state) {
-    state.has_plate = true;
-    state.plate = plate_of(scene);
-    state.plate.stiffness =
-        mpm::contact_stiffness(scene.mpm.contact_stiffness, state.law->p_wave_modulus(), scene.domain.cell);
-    state.plate.rest = rest_pressure(scene, ground, state.plate);
-}
-
-graph::PullPlan plan_of(const scene::Scene& scene) {
-    graph::PullPlan plan;
-    plan.direction = horizontal(scene) ? Vec2(0, 1) : Vec2(1, 0);
-    plan.width = scene.anchor.width;
-    plan.rate = scene.anchor.pull_rate;
-    plan.ramp = scene.anchor.ramp;
-    return plan;
 }
 
 }  // namespace
@@ -137,18 +121,27 @@ double equivalent_embedment(const scene::Scene& scene, const packings::PreparedG
 
 double whole_plate_factor(const scene::Scene& scene) { return horizontal(scene) ? 2 : 1; }
 
-std::unique_ptr<graph::Pull> build_pull(const scene::Scene& scene, const packings::PreparedGround& ground) {
-    mpm::Points points = lay_out(scene, ground);
-    auto law = law_of(scene, ground, points);
-    auto state = std::make_unique<graph::GroundState>(settings_of(scene, ground, law->p_wave_modulus()),
-                                                      std::move(points), grid_shape(scene));
-    state->law = std::move(law);
-    state->law->initialise(state->batch());
-    if (scene.anchor.present) {
-        require_slow_plate(scene, state->settings.dt);
-        add_plate(scene, ground, *state);
-    }
-    return std::make_unique<graph::Pull>(std::move(state), plan_of(scene));
+std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
+    auto simulation = std::make_unique<Simulation>(spec_of(scene, ground));
+    if (scene.anchor.present) require_slow_plate(scene, simulation->state().settings.dt);
+    return simulation;
+}
+
+double end_mark(const scene::Scene& scene) {
+    return scene.anchor.present ? scene.anchor.pull_to : scene.mpm.end_time;
+}
+
+Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
+    Spec spec;
+    spec.ground = ground_of(scene, ground);
+    spec.grid = grid_shape(scene);
+    spec.gravity = Vec2(0, -scene.ground.gravity);
+    spec.surcharge = scene.ground.surcharge;
+    spec.scheme = scene.mpm;
+    if (scene.anchor.present) spec.bodies = {anchor_of(scene, ground)};
+    spec.width = scene.anchor.width;
+    spec.law = law_of(scene, ground);
+    return spec;
 }
 
 }  // namespace sandgraph::simulation

@@ -1,16 +1,21 @@
-#include "simulation/check_run.hpp"
+#include "simulation/prepare_run.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/console.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "io/checkpoint.hpp"
 #include "io/run_file.hpp"
+#include "io/writable.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/scene_hash.hpp"
+#include "simulation/scene_spec.hpp"
+#include "surrogate/load_surrogate.hpp"
 
 namespace sandgraph::simulation {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -47,6 +52,37 @@ void require_memory(const scene::Scene& scene) {
                          fmt::format("they need {:.2g} GB, this machine has {:.2g}",
                                      points * bytes_a_point / 1e9, memory / 1e9),
                          "look at domain.width, domain.depth and domain.cell");
+}
+
+fs::path folder_of(const RunRequest& request, const scene::Scene& scene) {
+    if (!request.folder.empty()) return request.folder;
+    if (!scene.output.folder.empty()) return scene.output.folder;
+    return fs::path("out") / fs::path(request.scene).stem();
+}
+
+}  // namespace
+
+RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
+    RunOptions o;
+    o.folder = folder_of(request, scene);
+    o.threads = threads_of(request);
+    const double end = end_mark(scene);
+    o.until = request.until > 0 ? std::min(request.until, end) : end;
+    o.resume = request.resume;
+    o.resume ? require_checkpoint(o.folder, scene) : require_no_checkpoint(o.folder);
+    return o;
+}
+
+packings::PreparedGround prepare(const scene::Scene& scene, const fs::path& folder) {
+    require_memory(scene);
+    io::require_writable(folder);
+    StageProgress progress;
+    std::shared_ptr<const stress::Surrogate> surrogate;
+    if (scene.mode == scene::Mode::screening)
+        surrogate = surrogate::load_surrogate(scene.screening.model);
+    packings::PreparedGround ground = packings::prepare_ground(scene, progress.callback());
+    ground.surrogate = std::move(surrogate);
+    return ground;
 }
 
 }  // namespace sandgraph::simulation

@@ -1,14 +1,16 @@
 #pragma once
-#include <memory>
-
-#include "graph/pull.hpp"
 #include "packings/prepare_ground.hpp"
-#include "scene/scene.hpp"
+#include "simulation/simulation.hpp"
 
 namespace sandgraph::simulation {
 
-// The simulation of a checked scene on prepared ground, at rest before the first step.
-std::unique_ptr<graph::Pull> build_pull(const scene::Scene& scene, const packings::PreparedGround& ground);
+// What a checked scene asks for, on prepared ground.
+Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground);
+// The same built, at rest before the first step. InputError for a plate too fast for the contact.
+std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground);
+
+// Where the run ends: d/B of the anchor, in ground without one time [s].
+double end_mark(const scene::Scene& scene);
 
 // H [m], and with a surcharge q_s the embedment H + q_s/gamma [m] that has the same overburden.
 double embedment(const scene::Anchor& anchor);

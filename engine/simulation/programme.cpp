@@ -1,0 +1,15 @@
+#include "simulation/programme.hpp"
+
+#include <algorithm>
+
+namespace sandgraph::simulation {
+
+double rate_at(const Programme& programme, double time) {
+    const double since = time - programme.settle;
+    if (since <= 0) return 0;
+    const double duration = 2 * programme.ramp / programme.rate;  // mean rate of a smoothstep is one half
+    const double s = duration > 0 ? std::min(1.0, since / duration) : 1.0;
+    return programme.rate * s * s * (3 - 2 * s);
+}
+
+}  // namespace sandgraph::simulation

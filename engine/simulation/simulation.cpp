@@ -1,0 +1,113 @@
+#include "simulation/simulation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "graph/step_phases.hpp"
+#include "mpm/layout.hpp"
+#include "mpm/time_step.hpp"
+
+namespace sandgraph::simulation {
+namespace {
+
+mpm::Points lay_out(const Spec& spec) {
+    const GroundSpec& g = spec.ground;
+    mpm::Layout layout{g.extent, spec.grid.cell, g.points_per_cell, g.density, g.cavities, g.inside};
+    for (const BodySpec& body : spec.bodies) layout.cavities.push_back(body.plate.rectangle());
+    mpm::Points points = mpm::lay_out(layout);
+    for (std::size_t p = 0; g.velocity && p < points.size(); ++p) {
+        const Vec2 v = g.velocity(points.x[p], points.y[p]);
+        points.vx[p] = v.x(), points.vy[p] = v.y();
+    }
+    return points;
+}
+
+graph::StepSettings settings_of(const Spec& spec, double modulus) {
+    mpm::Scheme scheme = spec.scheme;
+    if (spec.bodies.empty()) scheme.contact_stiffness = 0;
+    const mpm::Medium medium{spec.grid.cell, modulus, spec.ground.density};
+    graph::StepSettings s;
+    s.dt = spec.stable ? mpm::time_step(scheme, medium) : scheme.courant * mpm::crossing_time(scheme, medium);
+    s.scheme = spec.scheme;
+    s.gravity = spec.gravity;
+    s.surcharge = spec.surcharge;
+    s.boundaries = spec.boundaries;
+    return s;
+}
+
+std::unique_ptr<graph::GroundState> state_of(const Spec& spec) {
+    mpm::Points points = lay_out(spec);
+    auto law = spec.law(points);
+    const double modulus = law->p_wave_modulus();
+    auto state =
+        std::make_unique<graph::GroundState>(settings_of(spec, modulus), std::move(points), spec.grid);
+    state->law = std::move(law);
+    state->law->initialise(state->batch());
+    for (const BodySpec& body : spec.bodies) {
+        mpm::RigidPlate plate = body.plate;
+        plate.stiffness = mpm::contact_stiffness(spec.scheme.contact_stiffness, modulus, spec.grid.cell);
+        state->add_body(plate);
+    }
+    return state;
+}
+
+mpm::Face opposite(mpm::Face face) { return face == mpm::Face::top ? mpm::Face::bottom : mpm::Face::left; }
+
+}  // namespace
+
+Simulation::Simulation(const Spec& spec)
+    : state_(state_of(spec)), graph_(graph::step_phases(*state_)), width_(spec.width) {
+    for (const BodySpec& body : spec.bodies) programmes_.push_back(body.programme);
+    travel_.assign(programmes_.size(), 0.0);
+}
+
+void Simulation::step() {
+    const double middle = time_ + 0.5 * state_->settings.dt;
+    for (std::size_t k = 0; k < programmes_.size(); ++k)
+        state_->bodies[k].plate.velocity = rate_at(programmes_[k], middle) * programmes_[k].direction;
+    advance();
+}
+
+void Simulation::step(const Vec2& velocity) {
+    for (graph::Body& body : state_->bodies) body.plate.velocity = velocity;
+    advance();
+}
+
+void Simulation::advance() {
+    const double dt = state_->settings.dt;
+    state_->d_over_B = d_over_B();
+    graph_.run();
+    time_ += dt;
+    for (std::size_t k = 0; k < programmes_.size(); ++k)
+        travel_[k] += dt * state_->bodies[k].plate.velocity.dot(programmes_[k].direction);
+    ++steps_;
+    if (!state_->status.good())
+        throw std::runtime_error("material point " + std::to_string(state_->status.first) +
+                                 " left the grid: the ground moved further than the domain allows");
+}
+
+double Simulation::resistance(const Vec2& force) const { return -force.dot(programmes_.front().direction); }
+
+const mpm::Reaction& Simulation::reaction() const { return state_->bodies.front().contact.reaction; }
+
+double Simulation::load() const { return resistance(reaction().total()); }
+double Simulation::leading() const { return resistance(reaction().face(leading_face())); }
+double Simulation::trailing() const { return resistance(reaction().face(opposite(leading_face()))); }
+
+mpm::Face Simulation::leading_face() const {
+    return programmes_.front().direction.y() > 0 ? mpm::Face::top : mpm::Face::right;
+}
+
+void Simulation::archive(Archive& a) {
+    std::vector<double> clock = {time_};
+    clock.insert(clock.end(), travel_.begin(), travel_.end());
+    std::vector<std::int64_t> count = {steps_};
+    field_of_known_length(a, "clock", clock);
+    field_of_known_length(a, "steps", count);
+    time_ = clock[0], steps_ = count[0];
+    std::copy(clock.begin() + 1, clock.end(), travel_.begin());
+    state_->archive(a);
+}
+
+}  // namespace sandgraph::simulation
