@@ -2,59 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "mpm/grid_to_points.hpp"
 #include "mpm/grid_update.hpp"
 #include "mpm/points_to_grid.hpp"
 #include "tests/support/random_ground.hpp"
 
 namespace sandgraph::mpm {
 namespace {
-
-// A random ground in x > 0 and the same with its mirror image in x < 0 (ids doubled).
-Points half_ground() {
-    Points points = support::random_ground(8, 10, 4, 21);
-    for (double& x : points.x) x -= 0.15;
-    for (double& x : points.x) x = x < 0.01 ? 0.01 : x;
-    return points;
-}
-
-Points with_image(const Points& half) {
-    Points whole = half;
-    const std::size_t n = half.size();
-    resize(whole, 2 * n);
-    for (std::size_t p = 0; p < n; ++p) {
-        whole.x[n + p] = -half.x[p], whole.y[n + p] = half.y[p];
-        whole.vx[n + p] = -half.vx[p], whole.vy[n + p] = half.vy[p];
-        whole.mass[n + p] = half.mass[p];
-        whole.volume0[n + p] = half.volume0[p], whole.volume[n + p] = half.volume[p];
-        whole.stress[n + p] = {half.stress[p].xx, half.stress[p].yy, -half.stress[p].xy};
-    }
-    return whole;
-}
-
-void run(Points& points, Grid& grid, const Boundaries& boundaries, int steps) {
-    Order order;
-    const GridStep update{1e-4, {0, -9.81}, 0.1, 2, boundaries};
-    for (int k = 0; k < steps; ++k) {
-        refresh(order, points, grid);
-        points_to_grid(points, order, grid);
-        update_grid(update, grid);
-        ASSERT_TRUE(grid_to_points(grid, {update.dt, 0.02}, order, points).good());
-    }
-}
-
-TEST(Mirror, HalfModelMovesAsTheWhole) {
-    Points half = half_ground(), whole = with_image(half);
-    Grid half_grid({0, 0, 0.1, 20, 20}), whole_grid({-2, 0, 0.1, 40, 20});
-    run(half, half_grid, {Side::mirror, Side::free, Side::fixed, Side::free}, 20);
-    run(whole, whole_grid, {Side::free, Side::free, Side::fixed, Side::free}, 20);
-    for (std::size_t p = 0; p < half.size(); ++p) {
-        EXPECT_NEAR(half.x[p], whole.x[p], 1e-12);
-        EXPECT_NEAR(half.vx[p], whole.vx[p], 1e-9);
-        EXPECT_NEAR(half.vy[p], whole.vy[p], 1e-9);
-        EXPECT_LT((half.F[p] - whole.F[p]).norm(), 1e-10);
-    }
-}
 
 Grid loaded_grid(const Points& points) {
     Grid grid(support::grid_around(8, 10));
