@@ -141,7 +141,8 @@ io::RegionRow RegionRecorder::row(const Simulation& simulation, const Members& m
     row.sigma_yy = of([&](std::size_t p) { return -g.stress[p].yy; });
     row.sigma_xy = of([&](std::size_t p) { return -g.stress[p].xy; });
     row.K = lateral_pressure(members.points, g.stress, row);
-    row.porosity = of([&](std::size_t p) { return point_porosity(simulation.state(), p, initial_porosity_); });
+    row.porosity =
+        of([&](std::size_t p) { return point_porosity(simulation.state(), p, initial_porosity_); });
     row.strain = of([&](std::size_t p) { return mpm::equivalent_strain(g.F[p]); });
     row.volume_strain = of([&](std::size_t p) { return mpm::volumetric_strain(g.F[p]); });
     row.rotation = of([&](std::size_t p) { return mpm::rotation(g.F[p]); });

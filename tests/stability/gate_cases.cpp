@@ -65,7 +65,8 @@ void checkerboard(Effort effort, Findings& found) {
     check_switches(ground, r, full_ride(effort), found);
     double blacks = 0, handed = 0, others = 0;
     for (std::size_t p = 0; p < ground.points().size(); ++p) blacks += black(static_cast<std::int32_t>(p));
-    for (const stress::Switch& s : ground.screening().screening_log()->switches) (black(s.point) ? handed : others) += 1;
+    for (const stress::Switch& s : ground.screening().screening_log()->switches)
+        (black(s.point) ? handed : others) += 1;
     found.exactly("black squares handed over, share of them", handed / blacks, 1);
     found.at_most("white squares handed over, share of the points",
                   others / static_cast<double>(ground.points().size()), 0.05);
@@ -109,7 +110,8 @@ void in_mid_peak(Effort effort, Findings& found) {
             return ground.travelled() < kDistance;
         });
     check_switches(ground, r, full_ride(effort), found);
-    found.at_least("points handed over", static_cast<double>(ground.screening().screening_log()->switches.size()), 50);
+    found.at_least("points handed over",
+                   static_cast<double>(ground.screening().screening_log()->switches.size()), 50);
 }
 
 constexpr std::array table = {Case{"gate.checkerboard", checkerboard}, Case{"gate.all_at_once", all_at_once},

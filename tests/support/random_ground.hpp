@@ -1,5 +1,6 @@
 #pragma once
 #include "base/random.hpp"
+#include "mpm/grid.hpp"
 #include "mpm/layout.hpp"
 
 namespace sandgraph::support {

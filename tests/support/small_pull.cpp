@@ -72,8 +72,7 @@ std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
     return std::make_unique<graph::ScreeningLaw>(std::move(setup));
 }
 
-std::unique_ptr<simulation::Simulation> pull_with(const Extent& extent,
-                                                  const simulation::LawFactory& law) {
+std::unique_ptr<simulation::Simulation> pull_with(const Extent& extent, const simulation::LawFactory& law) {
     const double depth = extent.rows * kCell;
     mpm::RigidPlate plate{0, depth - kPlateDepth, 0.5, 0.125};
     plate.friction_angle = std::numbers::pi / 2;
