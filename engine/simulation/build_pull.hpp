@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "graph/pull.hpp"
-#include "packings/prepare_ground.hpp"
+#include "packings/in_situ.hpp"
 #include "scene/scene.hpp"
 
 namespace sandgraph::simulation {

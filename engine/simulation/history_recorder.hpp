@@ -5,7 +5,7 @@
 
 #include "graph/pull.hpp"
 #include "io/history_journal.hpp"
-#include "packings/prepare_ground.hpp"
+#include "packings/in_situ.hpp"
 #include "scene/scene.hpp"
 #include "simulation/background_writer.hpp"
 

@@ -11,6 +11,7 @@
 #include "graph/screening/law.hpp"
 #include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
+#include "table1_options.hpp"
 
 namespace sandgraph::support {
 namespace {
@@ -31,7 +32,7 @@ dem::AssemblyFactory fast() {
 }
 
 const dem::Packing& base() {
-    static const dem::Packing packing = dem::prepare({.grains = 100}, dem::Material{}, fast()).packing;
+    static const dem::Packing packing = dem::prepare({.count = 100}, dem::Material{}, fast()).packing;
     return packing;
 }
 
@@ -53,7 +54,7 @@ const std::vector<graph::RowPacking>& rows(int count) {
 graph::RveLawSetup grains_of(const mpm::Points& points) {
     const int count = 1 + *std::ranges::max_element(points.row);
     const auto all = rows(count);
-    return {{}, {}, {all.begin(), all.begin() + count}, points.row};
+    return {{}, table1_options(), {all.begin(), all.begin() + count}, points.row};
 }
 
 std::unique_ptr<stress::Law> full_law(const mpm::Points& points) {
