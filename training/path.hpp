@@ -2,21 +2,12 @@
 #include <complex>
 #include <vector>
 
+#include "scene/train_spec.hpp"
 #include "training/history.hpp"
 
 namespace sandgraph::training {
 
-// How increments are composed to the steps a law is trained on: a step ends when its strain reaches `share`
-// of the strain gone through since the start or the last turn, within [least, most].
-struct CutRule {
-    double least = 2e-5, most = 4e-4;
-    double share = 0.06;
-    // Past a path of `lead_from` the measured pressure leads: over a strain of `lead_strain` a rollout's
-    // error of p decays by 1/e (fully so past twice that path). 0: never. Where grains flow, p under given
-    // strain is weather (two packings part by several p), but q/p and dilation at a given p and void ratio
-    // are climate.
-    double lead_from = 0, lead_strain = 0;
-};
+using scene::CutRule;
 
 // A history in the frame that turns with its packing, in the sign convention of surrogate/: compression
 // positive, a deviator is the complex number (xx - yy)/2 + i xy.

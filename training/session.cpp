@@ -31,17 +31,6 @@ std::string data_hash(const scene::TrainSpec& spec, const HistorySet& set) {
     return hex(hash64(text));
 }
 
-TrainOptions options_of(const scene::TrainSpec& spec) {
-    return {.seed = spec.seed,
-            .epochs = spec.epochs,
-            .patience = spec.patience,
-            .batch = spec.batch,
-            .rate = spec.rate,
-            .rate_end = spec.rate_end,
-            .clip = spec.clip,
-            .scale = {.robust = spec.robust, .change = spec.change, .friction = spec.friction}};
-}
-
 void tell(Rung rung, const EpochReport& report) {
     fmt::print(stderr, "{} epoch {} of {}  loss {:.5f}  validation {:.5f}  best {:.5f}  {:.0f} s left\n",
                name_of(rung), report.epoch, report.epochs, report.loss, report.validation, report.best,
@@ -55,18 +44,14 @@ TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::stri
     data.set = read_histories(logs);
     data.split = split(data.set, spec);
     withhold_traits(data.set, data.split.training, spec.traits);
-    data.rule = {.least = spec.step_least,
-                 .most = spec.step_most,
-                 .share = spec.step_share,
-                 .lead_from = spec.lead_from,
-                 .lead_strain = spec.lead_strain};
+    data.rule = spec.steps;
     data.hash = data_hash(spec, data.set);
     CutRule free = data.rule;
     free.lead_strain = 0;
     const auto batches = [&](const std::vector<std::int64_t>& which, const CutRule& rule, std::size_t size) {
         return make_batches(cut_all(data.set, which, rule, spec.strain_max), size, number);
     };
-    data.training = batches(data.split.training, data.rule, static_cast<std::size_t>(spec.batch));
+    data.training = batches(data.split.training, data.rule, static_cast<std::size_t>(spec.training.batch));
     data.validation = batches(data.split.validation, data.rule, 512);
     data.new_seeds = batches(data.split.new_seeds, free, 512);
     data.known_seeds = batches(data.split.known_seeds, free, 512);
@@ -78,13 +63,13 @@ std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& s
                              const std::filesystem::path& state) {
     const double start = seconds();
     torch::set_num_threads(spec.threads);
-    Trained trained{.law = make_law(rung, spec.members, spec.seed, number)};
+    Trained trained{.law = make_law(rung, spec.members, spec.training.seed, number)};
     if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get());
         elements && rung == Rung::learned && !spec.start.empty())
         start_from(*elements, surrogate::read_model(spec.start).model, spec.start);
     if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get()))
         elements->measured_critical = spec.measured_critical;
-    Trainer trainer(trained.law, options_of(spec), std::ssize(data.set.histories), data.hash);
+    Trainer trainer(trained.law, spec.training, std::ssize(data.set.histories), data.hash);
     if (trainer.load(state)) fmt::print(stderr, "going on after epoch {}\n", trainer.epochs());
     while (!trainer.done()) {
         const EpochReport report = trainer.epoch(data.training, data.validation);

@@ -4,20 +4,13 @@
 #include <filesystem>
 #include <string>
 
+#include "scene/train_spec.hpp"
 #include "training/law.hpp"
 #include "training/loss.hpp"
 
 namespace sandgraph::training {
 
-struct TrainOptions {
-    std::uint64_t seed = 1;
-    int epochs = 200;
-    int patience = 40;  // epochs without a better validation error before a member stops to count
-    int batch = 128;    // histories
-    double rate = 5e-3, rate_end = 2e-4;  // of Adam; falls along half a cosine
-    double clip = 1;                      // largest norm of a member's gradient
-    LossScale scale;
-};
+using scene::TrainOptions;
 
 struct EpochReport {
     int epoch = 0, epochs = 0;

@@ -5,9 +5,8 @@
 
 #include "app/command_rve.hpp"
 #include "dem/fast/kernel.hpp"
-#include "packings/load_packing.hpp"
-#include "packings/make_assembly.hpp"
-#include "packings/prepare_packing.hpp"
+#include "dem/make_assembly.hpp"
+#include "packings/base_packing.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -40,8 +39,8 @@ io::PackingRecord packing_of(const Options& options) {
 
 // Time of a DEM step [us]; the contacts at its end.
 std::pair<double, int> measure(const Options& options, const io::PackingRecord& record, int steps) {
-    const auto kernel = options.reference ? scene::Kernel::reference : scene::Kernel::fast;
-    const auto assembly = packings::make_assembly(kernel, record.packing, record.material);
+    const auto kernel = options.reference ? dem::Kernel::reference : dem::Kernel::fast;
+    const auto assembly = dem::make_assembly(kernel, record.packing, record.material);
     const Mat2 L = simple_shear(0.4);
     assembly->step(L, time_step, std::max(1, steps / 10));  // caches and contacts warm
     const double start = seconds();

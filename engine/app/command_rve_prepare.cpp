@@ -6,12 +6,13 @@
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "base/revision.hpp"
+#include "dem/make_assembly.hpp"
 #include "dem/packing/csv.hpp"
+#include "dem/prepare/prepare.hpp"
 #include "io/atomic_file.hpp"
 #include "io/packing_file.hpp"
 #include "io/writable.hpp"
-#include "packings/prepare_packing.hpp"
-#include "packings/rve_options.hpp"
+#include "packings/base_packing.hpp"
 #include "scene/recipe_spec.hpp"
 
 namespace sandgraph::app {
@@ -29,9 +30,7 @@ dem::Packing make_packing(const scene::RecipeSpec& recipe) {
     const dem::Packing base = packings::base_packing(recipe.grains, tell);
     if (recipe.grains.packing.empty() && recipe.pressure == recipe.grains.consolidation_pressure) return base;
     const dem::Material& material = recipe.grains.material;
-    return dem::compress_to(
-        base, {.pressure = recipe.pressure, .dt = packings::preparation_time_step(material, base.r)},
-        material, packings::fast_assemblies(), tell);
+    return dem::compress_to(base, {.pressure = recipe.pressure}, material, dem::fast_assemblies(), tell);
 }
 
 void write_csv(const std::string& file, const dem::Packing& packing, const scene::RecipeSpec& recipe) {

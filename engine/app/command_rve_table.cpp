@@ -23,7 +23,7 @@ struct Options {
 // A first look: two seeds, and four times the rate, which moves a peak by up to 2 deg, as another seed does.
 laboratory::LaboratoryPlan shortened(laboratory::LaboratoryPlan plan) {
     plan.seeds = std::min(plan.seeds, 2);
-    plan.axial_rate = 0.4;
+    plan.test.axial_rate = 0.4;
     return plan;
 }
 
@@ -36,8 +36,8 @@ std::vector<laboratory::StrengthRow> strength_rows(const std::vector<laboratory:
 report::BiaxialPicture picture_of(const std::string& density,
                                   const std::vector<laboratory::Specimen>& specimens) {
     report::BiaxialPicture picture{fmt::format("Biaxial compression, {} sand of Table 1", density), {}};
-    for (std::size_t k = 0; k < laboratory::kConfiningPressures.size(); ++k) {
-        report::BiaxialSeries series{laboratory::kConfiningPressures[k], {}};
+    for (std::size_t k = 0; k < dem::confining_pressures.size(); ++k) {
+        report::BiaxialSeries series{dem::confining_pressures[k], {}};
         for (const laboratory::Specimen& specimen : specimens)
             if (specimen.density == density) series.tests.push_back(specimen.tests[k]);
         picture.series.push_back(std::move(series));

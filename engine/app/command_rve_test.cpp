@@ -9,7 +9,7 @@
 #include "io/atomic_file.hpp"
 #include "io/writable.hpp"
 #include "laboratory/element_test.hpp"
-#include "packings/load_packing.hpp"
+#include "packings/base_packing.hpp"
 
 namespace sandgraph::app {
 namespace {

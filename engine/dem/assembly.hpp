@@ -1,4 +1,8 @@
 #pragma once
+#include <functional>
+#include <memory>
+
+#include "dem/material.hpp"
 #include "dem/packing/observables.hpp"
 #include "dem/packing/packing.hpp"
 
@@ -20,5 +24,8 @@ class Assembly {
     virtual Packing packing() const = 0;
     virtual void set_friction(double tangent) = 0;  // for preparation stages
 };
+
+// Makes the assembly that does the work, so that any kernel can prepare packings.
+using AssemblyFactory = std::function<std::unique_ptr<Assembly>(const Packing&, const Material&)>;
 
 }  // namespace sandgraph::dem

@@ -1,4 +1,7 @@
 #pragma once
+#include <span>
+
+#include "dem/material.hpp"
 
 namespace sandgraph::dem {
 
@@ -12,13 +15,16 @@ struct RveStepping {
     double stress_per_step_max = 0.0075;  // elastic stress change of a step, share of p, up to settle_steps
 };
 
-// The same with what follows from the grains (rve_options).
+// The same with what follows from the grains (rve_options below).
 struct RveOptions : RveStepping {
-    double time_step = 1e-5;       // DEM step [s]
-    double modulus = 2e7;          // k_n/(2 h) of two mean grains [Pa]: turns strain into elastic stress
+    double time_step = 0;          // DEM step [s]
+    double modulus = 0;            // k_n/(2 h) of two mean grains [Pa]: turns strain into elastic stress
     int settle_steps = 10;         // steps of a short update, which stress_per_step_max bounds
     double float_pressure = 10;    // mean stress taken for none when the packing has opened up [Pa]
     double float_opening = 0.005;  // volume strain beyond the last contact at which a packing floats
 };
+
+// For a packing of grains with these radii [m].
+RveOptions rve_options(const RveStepping& stepping, const Material& material, std::span<const double> radii);
 
 }  // namespace sandgraph::dem

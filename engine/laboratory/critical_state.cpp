@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/console.hpp"
+#include "dem/make_assembly.hpp"
 #include "laboratory/soil_laboratory.hpp"
-#include "packings/prepare_packing.hpp"
-#include "packings/table1_packing.hpp"
+#include "packings/base_packing.hpp"
 
 namespace sandgraph::laboratory {
 namespace {
@@ -27,10 +27,12 @@ std::vector<CriticalTest> planned(const CriticalPlan& plan) {
 void shear(CriticalTest& test, const dem::Packing& packing, const CriticalPlan& plan) {
     const dem::Material material;
     const double rate = plan.inertial_number * std::sqrt(test.pressure / kDensity) / kDiameter;
-    dem::ShearTest shear{.pressure = test.pressure, .rate = rate, .strain = plan.strain};
-    shear.sample_strain = plan.sample_strain;
-    shear.modulus = dem::typical_modulus(packing, material);
-    test.rows = dem::run_shear(*packings::fast_assemblies()(packing, material), shear);
+    const dem::ShearTest shear{.mean_stress = test.pressure,
+                               .shear_rate = rate,
+                               .shear_strain = plan.strain,
+                               .strain_every = plan.sample_strain};
+    test.rows = dem::run_shear(*dem::fast_assemblies()(packing, material), shear,
+                               dem::typical_modulus(packing, material));
 }
 
 template <class Figure>

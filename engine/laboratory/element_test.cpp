@@ -8,70 +8,24 @@
 #include "base/error.hpp"
 #include "dem/element_test/csv.hpp"
 #include "dem/element_test/strength.hpp"
+#include "dem/rve_options.hpp"
+#include "dem/time_step.hpp"
 #include "laboratory/rve_path.hpp"
-#include "packings/make_assembly.hpp"
-#include "packings/rve_options.hpp"
 
 namespace sandgraph::laboratory {
 namespace {
 
-dem::PathTest path_test(const scene::ElementTestSpec& spec) {
-    dem::PathTest test;
-    for (const scene::StrainSegment& s : spec.segments)
-        test.segments.push_back({s.velocity_gradient, s.steps});
-    test.relax_steps = spec.relax_steps;
-    test.sample_every = spec.sample_every;
-    test.dt = spec.time_step;
-    return test;
-}
-
-dem::BiaxialTest biaxial_test(const scene::ElementTestSpec& spec, double modulus) {
-    dem::BiaxialTest test;
-    test.confining_pressure = spec.pressure;
-    test.axial_rate = spec.rate;
-    test.axial_strain = spec.strain;
-    test.sample_strain = spec.strain_every;
-    test.modulus = modulus;
-    test.relax_steps = spec.relax_steps;
-    test.dt = spec.time_step;
-    return test;
-}
-
-dem::ShearTest shear_test(const scene::ElementTestSpec& spec, double modulus) {
-    dem::ShearTest test;
-    test.pressure = spec.pressure;
-    test.rate = spec.rate;
-    test.strain = spec.strain;
-    test.sample_strain = spec.strain_every;
-    test.modulus = modulus;
-    test.relax_steps = spec.relax_steps;
-    test.dt = spec.time_step;
-    return test;
-}
-
-dem::IsotropicTest isotropic_test(const scene::ElementTestSpec& spec, double modulus) {
-    dem::IsotropicTest test;
-    test.pressure = spec.pressure;
-    test.rate = spec.rate;
-    test.modulus = modulus;
-    test.relax_steps = spec.relax_steps;
-    test.sample_every = spec.sample_every;
-    test.dt = spec.time_step;
-    return test;
-}
-
 // The optimised kernel relaxes the packing, then an RVE follows the path as in a run.
 std::vector<dem::ElementRow> run_fast_path(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
-    const RvePath path{path_test(spec), spec.material,
-                       packings::rve_options(spec.rve, spec.material, packing.r)};
-    const auto assembly = packings::make_assembly(spec.mode, packing, spec.material);
-    assembly->step(Mat2::Zero(), path.options.time_step, std::max(1, spec.relax_steps));
+    const RvePath path{spec.path, spec.material, dem::rve_options(spec.rve, spec.material, packing.r)};
+    const auto assembly = dem::make_assembly(spec.mode, packing, spec.material);
+    assembly->step(Mat2::Zero(), path.options.time_step, std::max(1, spec.path.relax_steps));
     return run_rve_path(assembly->packing(), assembly->stress(), path);
 }
 
 std::vector<dem::ElementRow> run_path(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
-    if (spec.mode == scene::Kernel::fast) return run_fast_path(spec, packing);
-    return dem::run_path(*packings::make_assembly(spec.mode, packing, spec.material), path_test(spec));
+    if (spec.mode == dem::Kernel::fast) return run_fast_path(spec, packing);
+    return dem::run_path(*dem::make_assembly(spec.mode, packing, spec.material), spec.path);
 }
 
 std::string summary(const dem::ElementRow& last) {
@@ -101,10 +55,11 @@ ElementOutcome outcome(const std::vector<Row>& rows, const std::string& metadata
 
 // The step of the DEM itself; in a fast path it only divides the path.
 void check_time_step(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
-    if (spec.kind == scene::TestKind::path && spec.mode == scene::Kernel::fast) return;
-    const double limit = 1.25 * packings::critical_time_step(spec.material, packing.r);
-    if (spec.time_step <= limit) return;
-    throw InputError({"element test", 0}, fmt::format("time_step = {:g} s", spec.time_step),
+    if (spec.kind == scene::TestKind::path && spec.mode == dem::Kernel::fast) return;
+    const double limit = 1.25 * dem::critical_time_step(spec.material, packing.r);
+    const double time_step = scene::visit_test(spec, [](const auto& test) { return test.time_step; });
+    if (time_step <= limit) return;
+    throw InputError({"element test", 0}, fmt::format("time_step = {:g} s", time_step),
                      fmt::format("contacts of this packing vibrate apart above {:.2g} s", limit),
                      "write a shorter one, 1e-5 s for the usual grains");
 }
@@ -116,12 +71,12 @@ ElementOutcome run_element_test(const scene::ElementTestSpec& spec, const dem::P
     check_time_step(spec, packing);
     if (spec.kind == scene::TestKind::path) return outcome(run_path(spec, packing), metadata);
     const double modulus = dem::typical_modulus(packing, spec.material);
-    const auto sample = packings::make_assembly(spec.mode, packing, spec.material);
+    const auto sample = dem::make_assembly(spec.mode, packing, spec.material);
     if (spec.kind == scene::TestKind::biaxial)
-        return outcome(dem::run_biaxial(*sample, biaxial_test(spec, modulus)), metadata);
+        return outcome(dem::run_biaxial(*sample, spec.biaxial, modulus), metadata);
     if (spec.kind == scene::TestKind::simple_shear)
-        return outcome(dem::run_shear(*sample, shear_test(spec, modulus)), metadata);
-    return outcome(dem::run_isotropic(*sample, isotropic_test(spec, modulus)), metadata);
+        return outcome(dem::run_shear(*sample, spec.shear, modulus), metadata);
+    return outcome(dem::run_isotropic(*sample, spec.isotropic, modulus), metadata);
 }
 
 }  // namespace sandgraph::laboratory

@@ -7,7 +7,6 @@
 #include "dem/packing/observe.hpp"
 #include "dem/stretch.hpp"
 #include "packings/history_row.hpp"
-#include "packings/rve_options.hpp"
 
 namespace sandgraph::laboratory {
 namespace {
@@ -23,7 +22,7 @@ class Specimen {
     Specimen(const graph::RowPacking& row, const scene::ProbeSpec& spec, std::size_t history, int updates)
         : rve_(row.packing),
           material_(spec.grains.material),
-          options_(packings::rve_options(spec.rve, material_, row.packing->grains->radius)),
+          options_(dem::rve_options(spec.rve, material_, row.packing->grains->radius)),
           stop_(spec.paths.pressure_stop),
           history_(static_cast<std::int32_t>(history)),
           loose_most_(std::max(kLoose, updates / kLooseShare)) {}

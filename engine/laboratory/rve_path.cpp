@@ -16,10 +16,10 @@ class RveOnStand {
         : path_(path), rve_(dem::compact(sample, path.material, stress)), H_0_(sample.H) {}
 
     void step(const Mat2& L) {
-        const Mat2 F_inc = Mat2::Identity() + path_.test.dt * L;
+        const Mat2 F_inc = Mat2::Identity() + path_.test.time_step * L;
         collected_ = F_inc * collected_;
         F_ = F_inc * F_;
-        strain_ += path_.test.dt * 0.5 * (L + L.transpose()).norm();
+        strain_ += path_.test.time_step * 0.5 * (L + L.transpose()).norm();
         ++steps_;
         if (strain_ >= path_.collect) follow();
     }
@@ -38,7 +38,7 @@ class RveOnStand {
     }
     dem::ElementRow row() {
         follow();
-        return {steps_, static_cast<double>(steps_) * path_.test.dt, F_, F_ * H_0_,
+        return {steps_, static_cast<double>(steps_) * path_.test.time_step, F_, F_ * H_0_,
                 dem::observe(rve_, path_.material)};
     }
     std::int64_t steps() const { return steps_; }
@@ -60,7 +60,7 @@ std::vector<dem::ElementRow> run_rve_path(const dem::Packing& sample, const Mat2
     std::vector<dem::ElementRow> rows{stand.row()};
     for (const dem::PathSegment& segment : path.test.segments) {
         for (std::int64_t step = 0; step < segment.steps; ++step) {
-            stand.step(segment.L);
+            stand.step(segment.velocity_gradient);
             if (stand.steps() % path.test.sample_every == 0) rows.push_back(stand.row());
         }
         stand.follow();  // a change of direction is never averaged away

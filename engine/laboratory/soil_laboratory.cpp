@@ -3,9 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include "base/console.hpp"
+#include "dem/make_assembly.hpp"
 #include "dem/packing/observe.hpp"
-#include "packings/prepare_packing.hpp"
-#include "packings/table1_packing.hpp"
+#include "packings/base_packing.hpp"
 
 namespace sandgraph::laboratory {
 namespace {
@@ -13,10 +13,10 @@ namespace {
 std::vector<dem::BiaxialRow> biaxial(const dem::Packing& packing, double pressure,
                                      const LaboratoryPlan& plan) {
     const dem::Material material;
-    dem::BiaxialTest test{
-        .confining_pressure = pressure, .axial_rate = plan.axial_rate, .axial_strain = plan.axial_strain};
-    test.modulus = dem::typical_modulus(packing, material);
-    return dem::run_biaxial(*packings::fast_assemblies()(packing, material), test);
+    dem::BiaxialTest test = plan.test;
+    test.confining_pressure = pressure;
+    return dem::run_biaxial(*dem::fast_assemblies()(packing, material), test,
+                            dem::typical_modulus(packing, material));
 }
 
 void test_one(Specimen& specimen, const LaboratoryPlan& plan, Tally& tally) {
@@ -27,7 +27,7 @@ void test_one(Specimen& specimen, const LaboratoryPlan& plan, Tally& tally) {
     specimen.coordination =
         dem::observe(packing, dem::contact_forces(packing, material), material).coordination;
     tbb::parallel_for(std::size_t{0}, specimen.tests.size(), [&](std::size_t k) {
-        specimen.tests[k] = biaxial(packing, kConfiningPressures[k], plan);
+        specimen.tests[k] = biaxial(packing, dem::confining_pressures[k], plan);
         tally.done("packings and biaxial tests");
     });
 }
@@ -39,7 +39,7 @@ std::vector<Specimen> test_specimens(const LaboratoryPlan& plan, const ProgressC
     for (const char* density : kDensities)
         for (int seed = 1; seed <= plan.seeds; ++seed)
             specimens.push_back({density, static_cast<std::uint64_t>(seed), 0, 0, {}});
-    Tally tally(specimens.size() * (1 + kConfiningPressures.size()), progress);
+    Tally tally(specimens.size() * (1 + dem::confining_pressures.size()), progress);
     tbb::parallel_for(std::size_t{0}, specimens.size(),
                       [&](std::size_t k) { test_one(specimens[k], plan, tally); });
     return specimens;

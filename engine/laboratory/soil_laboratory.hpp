@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/element_test/element_test.hpp"
+#include "dem/element_test/strength.hpp"
 #include "dem/prepare/prepare.hpp"
 
 namespace sandgraph::laboratory {
@@ -13,20 +13,18 @@ namespace sandgraph::laboratory {
 // packings of several seeds by our recipes, each in biaxial compression at three confining pressures on the
 // fast kernel.
 struct LaboratoryPlan {
-    int seeds = 5;            // 1, 2, ... of each density
-    int grains = 400;         // in a packing
-    double axial_rate = 0.1;  // [1/s]
-    double axial_strain = 0.2;
+    int seeds = 5;          // 1, 2, ... of each density
+    int grains = 400;       // in a packing
+    dem::BiaxialTest test;  // at each of dem::confining_pressures in turn
 };
 
-inline constexpr std::array<double, 3> kConfiningPressures = {32e3, 64e3, 128e3};  // [Pa]
 inline constexpr std::array<const char*, 2> kDensities = {"dense", "loose"};
 
 struct Specimen {
     std::string density;
     std::uint64_t seed = 0;
-    double porosity = 0, coordination = 0;              // 2D porosity and Z = 2 Nc/N at 10 kPa
-    std::array<std::vector<dem::BiaxialRow>, 3> tests;  // by confining pressure
+    double porosity = 0, coordination = 0;  // 2D porosity and Z = 2 Nc/N at 10 kPa
+    std::array<std::vector<dem::BiaxialRow>, dem::confining_pressures.size()> tests;  // by confining pressure
 };
 
 // Dense specimens first, by seed. The same bits on any number of threads.

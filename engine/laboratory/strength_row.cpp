@@ -18,7 +18,7 @@ void add_late(StrengthRow& row, const std::vector<dem::BiaxialRow>& test) {
         sin_phi += seen.sin_phi, porosity += seen.seen.porosity, anisotropy += seen.seen.anisotropy;
         ++count;
     }
-    count *= static_cast<double>(kConfiningPressures.size());
+    count *= static_cast<double>(dem::confining_pressures.size());
     row.late_sin_phi += sin_phi / count;
     row.late_porosity += porosity / count;
     row.late_anisotropy += anisotropy / count;

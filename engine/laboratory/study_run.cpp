@@ -2,7 +2,6 @@
 
 #include "base/console.hpp"
 #include "packings/compressed_packings.hpp"
-#include "packings/rve_options.hpp"
 
 namespace sandgraph::laboratory {
 StudySample study_sample(const scene::Grains& grains, double pressure) {
@@ -12,7 +11,7 @@ StudySample study_sample(const scene::Grains& grains, double pressure) {
 StudyRun run_history(const StudySample& sample, const StrainHistory& history,
                      const graph::RveSettings& stepping) {
     graph::RveLaw law({sample.material,
-                       packings::rve_options(stepping, sample.material, sample.row.packing->grains->radius),
+                       dem::rve_options(stepping, sample.material, sample.row.packing->grains->radius),
                        {sample.row},
                        {0},
                        stepping});

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "dem/make_assembly.hpp"
 #include "dem/packing/observe.hpp"
-#include "packings/measure_friction.hpp"
-#include "packings/packing_cache.hpp"
-#include "packings/prepare_packing.hpp"
-#include "packings/rve_options.hpp"
+#include "packings/base_packing.hpp"
+#include "packings/cache.hpp"
+#include "packings/friction.hpp"
 
 namespace sandgraph::packings {
 
@@ -20,9 +20,7 @@ CompressedPackings::CompressedPackings(const scene::Grains& grains, const Progre
 
 dem::Packing CompressedPackings::at(double pressure) const {
     return cached_packing(fmt::format("{}pressure = {:a}\n", recipe_, pressure), material_, [&] {
-        return dem::compress_to(base_,
-                                {.pressure = pressure, .dt = preparation_time_step(material_, base_.r)},
-                                material_, fast_assemblies());
+        return dem::compress_to(base_, {.pressure = pressure}, material_, dem::fast_assemblies());
     });
 }
 
@@ -34,8 +32,7 @@ graph::RowPacking CompressedPackings::row(double pressure) const {
 
 graph::PlaneModuli CompressedPackings::moduli(const dem::Packing& packing, double pressure) const {
     const auto value = cached_numbers(fmt::format("{}moduli at {:a}\n", recipe_, pressure), 2, [&] {
-        const dem::Moduli m = dem::small_strain_moduli(packing, material_, fast_assemblies(),
-                                                       preparation_time_step(material_, packing.r));
+        const dem::Moduli m = dem::small_strain_moduli(packing, material_, dem::fast_assemblies());
         return std::vector<double>{m.bulk, m.shear};
     });
     return {value[0], value[1]};

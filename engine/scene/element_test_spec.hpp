@@ -1,40 +1,41 @@
 #pragma once
-#include <cstdint>
 #include <string>
-#include <vector>
 
-#include "base/tensor.hpp"
-#include "dem/material.hpp"
-#include "scene/scene.hpp"
+#include "dem/element_test/element_test.hpp"
+#include "dem/make_assembly.hpp"
+#include "graph/settings.hpp"
 
 namespace sandgraph::scene {
 
-// A constant velocity gradient L_ij = dv_i/dx_j [1/s] over `steps` time steps.
-struct StrainSegment {
-    Mat2 velocity_gradient = Mat2::Zero();
-    std::int64_t steps = 0;
-};
-
 enum class TestKind { path, biaxial, isotropic, simple_shear };
-enum class Kernel { reference, fast };
 
-// A checked element test in SI, compression positive. Only the members of its kind have been read.
+// A checked element test in SI, compression positive. Only the test of its kind has been read.
 struct ElementTestSpec {
     TestKind kind = TestKind::path;
-    Kernel mode = Kernel::reference;
-    double time_step = 1e-5;  // [s]
-    int relax_steps = 2000;   // at L = 0, before the test, not counted in it
+    dem::Kernel mode = dem::Kernel::reference;
     dem::Material material;
     graph::RveSettings rve;  // mode = fast
-
-    int sample_every = 500;               // path: steps between rows
-    std::vector<StrainSegment> segments;  // path
-
-    double pressure = 64e3;  // biaxial: sigma_xx held; isotropic: p at the end; shear: p held [Pa]
-    double rate = 0.1;    // biaxial: compression along y; shear: L_xy; isotropic: largest strain rate [1/s]
-    double strain = 0.2;  // biaxial: -ln(hyy/hyy0) at the end; shear: gamma
-    double strain_every = 0.0005;  // biaxial, shear: strain between rows
+    dem::PathTest path;
+    dem::BiaxialTest biaxial;
+    dem::IsotropicTest isotropic;
+    dem::ShearTest shear;
 };
+
+// Calls `visitor` with the test of the spec's kind.
+template <class Spec, class Visitor>
+decltype(auto) visit_test(Spec& spec, Visitor&& visitor) {
+    switch (spec.kind) {
+        case TestKind::path:
+            return visitor(spec.path);
+        case TestKind::biaxial:
+            return visitor(spec.biaxial);
+        case TestKind::isotropic:
+            return visitor(spec.isotropic);
+        case TestKind::simple_shear:
+            break;
+    }
+    return visitor(spec.shear);
+}
 
 // Reads and checks an element test file; `material` stands where its [grains] say nothing. Throws InputError.
 ElementTestSpec read_element_test(const std::string& file, const dem::Material& material = {});

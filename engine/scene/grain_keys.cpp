@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <stdexcept>
 
 namespace sandgraph::scene {
 namespace {
@@ -104,6 +105,12 @@ void complete_grains(const KeyTable& keys, Grains& g) {
         throw InputError(keys.at("grains.density").where, "grains.density = \"custom\"",
                          "it has no porosity of its own", "write grains.target_porosity, too");
     check_disks(keys, g);
+}
+
+double porosity_of(const std::string& density) {
+    for (const Preset& preset : presets)
+        if (density == preset.density) return preset.porosity;
+    throw std::logic_error("no porosity of density " + density);
 }
 
 std::string density_name(double porosity) {

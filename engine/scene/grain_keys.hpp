@@ -11,8 +11,9 @@ void add_material_keys(KeyTable& keys, dem::Material& material);
 void add_disk_keys(KeyTable& keys, Grains& grains);
 void check_disks(const KeyTable& keys, const Grains& grains);
 
-// "dense", "loose" or "custom" by target porosity.
+// "dense", "loose" or "custom" by target porosity; the porosity of "dense" or "loose".
 std::string density_name(double porosity);
+double porosity_of(const std::string& density);
 
 // The whole recipe, [grains].
 void add_grain_keys(KeyTable& keys, Grains& grains);

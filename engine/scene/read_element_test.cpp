@@ -41,19 +41,25 @@ void check_rate(double rate, double time_step, const InputError::Where& where) {
         fmt::format("write at most {:g} 1/s, or a shorter time_step", kLargestStep / time_step));
 }
 
-const char* rate_key(TestKind kind) {
-    return kind == TestKind::biaxial ? "axial_rate" : kind == TestKind::simple_shear ? "shear_rate" : "rate";
+struct RateKey {
+    const char* name;
+    double rate;
+};
+RateKey rate_of(const dem::BiaxialTest& test) { return {"axial_rate", test.axial_rate}; }
+RateKey rate_of(const dem::IsotropicTest& test) { return {"rate", test.rate}; }
+RateKey rate_of(const dem::ShearTest& test) { return {"shear_rate", test.shear_rate}; }
+
+template <class Test>
+void check_rates(const KeyTable& keys, const Test& test, const std::string& file) {
+    const auto [name, rate] = rate_of(test);
+    const Key& key = keys.at(name);
+    check_rate(rate, test.time_step, key.given ? key.where : InputError::Where{file, 0});
 }
 
-void check_rates(const KeyTable& keys, const ElementTestSpec& spec, const std::string& file) {
-    if (spec.kind == TestKind::path) {
-        const Key& source = keys.at(keys.at("segments").given ? "segments" : "segment");
-        for (const StrainSegment& s : spec.segments)
-            check_rate(s.velocity_gradient.norm(), spec.time_step, source.where);
-        return;
-    }
-    const Key& rate = keys.at(rate_key(spec.kind));
-    check_rate(spec.rate, spec.time_step, rate.given ? rate.where : InputError::Where{file, 0});
+void check_rates(const KeyTable& keys, const dem::PathTest& test, const std::string&) {
+    const Key& source = keys.at(keys.at("segments").given ? "segments" : "segment");
+    for (const dem::PathSegment& s : test.segments)
+        check_rate(s.velocity_gradient.norm(), test.time_step, source.where);
 }
 
 }  // namespace
@@ -66,7 +72,7 @@ ElementTestSpec read_element_test(const std::string& file, const dem::Material& 
     KeyTable keys = element_test_keys(spec);
     keys.read(table, file);
     if (spec.kind == TestKind::path) need_one_source(keys, file);
-    check_rates(keys, spec, file);
+    visit_test(spec, [&](const auto& test) { check_rates(keys, test, file); });
     return spec;
 }
 

@@ -8,13 +8,16 @@
 
 #include "base/error.hpp"
 #include "dem/material.hpp"
+#include "dem/prepare/recipe.hpp"
 #include "graph/settings.hpp"
 #include "mpm/time_step.hpp"
 #include "scene/region_spec.hpp"
+#include "stress/constants.hpp"
 
 namespace sandgraph::scene {
 
-// A checked scene in SI units. The TOML keys have the same names; docs/defaults live here.
+// A checked scene in SI units. The TOML keys have the same names. Where a setting belongs to a part of the
+// engine, the struct here is that part's own: its default stands there and nowhere else.
 enum class Law { rve, elastic, mohr_coulomb };
 enum class Orientation { horizontal, vertical };  // of the plate; pulled along its normal (up / to +x)
 enum class Mode { full, screening };
@@ -40,23 +43,15 @@ struct Anchor {
     double friction_angle = std::numbers::pi / 2;  // plate-soil friction [rad]; 90 deg = perfectly rough
 };
 
-// Recipe of the grains (law = "rve").
-struct Grains {
-    int count = 400;
-    double radius_min = 0.003, radius_max = 0.007;  // [m]
+// [grains] (law = "rve"): the recipe of the base packing, its material, and what stands instead of a recipe.
+struct Grains : dem::Recipe {
     dem::Material material;
-    std::string density = "dense";         // "dense" (porosity 0.16), "loose" (0.20) or "custom"
-    double target_porosity = 0.16;         // 2D, at consolidation_pressure
-    double consolidation_pressure = 10e3;  // [Pa]
-    std::uint64_t seed = 1;
-    std::string packing;  // file (.csv or .h5) to start from instead of the recipe; "" = recipe
+    std::string density = "dense";  // "dense" (porosity 0.16), "loose" (0.20) or "custom"
+    std::string packing;            // file (.csv or .h5) to start from instead of the recipe; "" = recipe
 };
 
 // Closed-form laws (law = "elastic" | "mohr_coulomb").
-struct Continuum {
-    double young = 20e6, poisson = 0.3;  // [Pa], -
-    double friction_angle = 30 * std::numbers::pi / 180, dilation_angle = 0,
-           cohesion = 0;    // [rad], [rad], [Pa]
+struct Continuum : stress::MohrCoulombConstants {
     double density = 2200;  // bulk [kg/m3]
 };
 

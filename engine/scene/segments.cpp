@@ -43,8 +43,8 @@ class Matrix : public Value {
     Mat2& matrix_;
 };
 
-StrainSegment read_segment(const toml::table& table, const std::string& file) {
-    StrainSegment segment;
+dem::PathSegment read_segment(const toml::table& table, const std::string& file) {
+    dem::PathSegment segment;
     KeyTable keys;
     auto top = keys.section("");
     top.add("velocity_gradient", std::make_unique<Matrix>(segment.velocity_gradient), "");
@@ -58,7 +58,7 @@ StrainSegment read_segment(const toml::table& table, const std::string& file) {
     return segment;
 }
 
-StrainSegment parse_row(const std::string& row, const InputError::Where& where) {
+dem::PathSegment parse_row(const std::string& row, const InputError::Where& where) {
     double values[5];
     const char* at = row.data();
     const char* const end = at + row.size();
@@ -73,15 +73,15 @@ StrainSegment parse_row(const std::string& row, const InputError::Where& where) 
     if (values[4] < 1 || values[4] != std::floor(values[4]) || values[4] > 1e15)
         throw InputError(where, fmt::format("steps = {:.12g}", values[4]), "not a whole number of steps",
                          "write 1 or more");
-    StrainSegment segment;
+    dem::PathSegment segment;
     segment.velocity_gradient << values[0], values[1], values[2], values[3];
     segment.steps = static_cast<std::int64_t>(values[4]);
     return segment;
 }
 
-std::vector<StrainSegment> read_segments(const std::string& file) {
+std::vector<dem::PathSegment> read_segments(const std::string& file) {
     std::istringstream in(read_text(file));
-    std::vector<StrainSegment> segments;
+    std::vector<dem::PathSegment> segments;
     std::string line;
     int number = 0;
     bool headed = false;
@@ -115,7 +115,7 @@ void SegmentTables::read(const Entry& entry) {
 
 std::string SegmentTables::canonical() const {
     std::string text;
-    for (const StrainSegment& s : segments_)
+    for (const dem::PathSegment& s : segments_)
         text += fmt::format("{:.14g},{:.14g},{:.14g},{:.14g},{};", s.velocity_gradient(0, 0),
                             s.velocity_gradient(0, 1), s.velocity_gradient(1, 0), s.velocity_gradient(1, 1),
                             s.steps);

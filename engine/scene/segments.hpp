@@ -9,13 +9,13 @@ namespace sandgraph::scene {
 // [[segment]] tables of a path test.
 class SegmentTables : public Value {
   public:
-    explicit SegmentTables(std::vector<StrainSegment>& segments) : segments_(segments) {}
+    explicit SegmentTables(std::vector<dem::PathSegment>& segments) : segments_(segments) {}
     void read(const Entry& entry) override;
     std::string shown() const override { return ""; }
     std::string canonical() const override;
 
   protected:
-    std::vector<StrainSegment>& segments_;
+    std::vector<dem::PathSegment>& segments_;
 };
 
 // segments = "FILE.csv": the header Lxx,Lxy,Lyx,Lyy,steps, then one row a segment.

@@ -46,32 +46,33 @@ void add_data_keys(KeyTable& keys, TrainSpec& spec) {
 
 void add_step_keys(KeyTable& keys, TrainSpec& spec) {
     auto steps = keys.section("steps");
-    steps.real("share", spec.step_share, "", above_up_to(0, 1),
+    steps.real("share", spec.steps.share, "", above_up_to(0, 1),
                "strain of a training step over that gone through since the start or the last turn");
-    steps.real("least", spec.step_least, "", above(0), "smallest strain of a training step");
-    steps.real("most", spec.step_most, "", above_up_to(0, 0.01), "largest strain of a training step");
+    steps.real("least", spec.steps.least, "", above(0), "smallest strain of a training step");
+    steps.real("most", spec.steps.most, "", above_up_to(0, 0.01), "largest strain of a training step");
     steps.real(
-        "lead_from", spec.lead_from, "", above(0),
+        "lead_from", spec.steps.lead_from, "", above(0),
         "path after which the measured pressure leads: where grains flow, p under given strain is chance");
-    steps.real("lead_strain", spec.lead_strain, "", at_least(0),
+    steps.real("lead_strain", spec.steps.lead_strain, "", at_least(0),
                "strain over which the error of p then decays by 1/e; 0: never");
 }
 
 void add_training_keys(KeyTable& keys, TrainSpec& spec) {
     auto training = keys.section("training");
-    training.integer("seed", spec.seed, 0, "of initial weights, bootstrap and order");
-    training.integer("epochs", spec.epochs, 1, "passes over the training histories at most");
-    training.integer("patience", spec.patience, 1, "passes without a better validation error, then it stops");
-    training.integer("batch", spec.batch, 1, "histories side by side");
+    training.integer("seed", spec.training.seed, 0, "of initial weights, bootstrap and order");
+    training.integer("epochs", spec.training.epochs, 1, "passes over the training histories at most");
+    training.integer("patience", spec.training.patience, 1,
+                     "passes without a better validation error, then it stops");
+    training.integer("batch", spec.training.batch, 1, "histories side by side");
     training.integer("threads", spec.threads, 1, "of libtorch; the bits of the result depend on it");
-    training.real("rate", spec.rate, "", above(0), "learning rate of Adam at the start");
-    training.real("rate_end", spec.rate_end, "", above(0), "and at the end");
-    training.real("clip", spec.clip, "", above(0), "largest norm of a member's gradient");
-    training.flag("friction", spec.friction,
+    training.real("rate", spec.training.rate, "", above(0), "learning rate of Adam at the start");
+    training.real("rate_end", spec.training.rate_end, "", above(0), "and at the end");
+    training.real("clip", spec.training.clip, "", above(0), "largest norm of a member's gradient");
+    training.flag("friction", spec.training.scale.friction,
                   "deviators count as shares of p: a low p is not made up for by friction");
-    training.real("robust", spec.robust, "", above(0),
+    training.real("robust", spec.training.scale.robust, "", above(0),
                   "error, as a share of p, beyond which the loss grows linearly");
-    training.real("change", spec.change, "", at_least(0),
+    training.real("change", spec.training.scale.change, "", at_least(0),
                   "while the stress has changed by less than this share of p, errors count as shares of it");
 }
 

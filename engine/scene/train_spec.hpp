@@ -13,6 +13,41 @@ enum class TrainRung { elastic, fitted, learned, mlp, gru };
 // What a law is told of a packing besides its pressure, porosity and stress at the start.
 enum class TrainTraits { all, stiffness, none };
 
+// [steps]: how increments are composed to the steps a law is trained on: a step ends when its strain reaches
+// `share` of the strain gone through since the start or the last turn, within [least, most].
+struct CutRule {
+    double least = 2e-5, most = 1e-3;
+    double share = 0.12;
+    // Past a path of `lead_from` the measured pressure leads: over a strain of `lead_strain` a rollout's
+    // error of p decays by 1/e (fully so past twice that path). 0: never. Where grains flow, p under given
+    // strain is weather (two packings part by several p), but q/p and dilation at a given p and void ratio
+    // are climate.
+    double lead_from = 0.02, lead_strain = 3e-3;
+};
+
+// [training], too: how an error counts.
+struct LossScale {
+    double robust = 0.1;  // error, share of p, beyond which the loss grows linearly
+    // While the measured stress has moved by less than this share of p since the start, the error counts as a
+    // share of that way: stiffness at small strain carries a foundation long before anything fails. 0: never.
+    double change = 0;
+    // Deviators are compared as shares of the answer's and of the measured p. What sand bears at given strain
+    // is strength times a pressure that is weather: an answer whose p is low must not make up for it by
+    // friction, which the ground then has at any p.
+    bool friction = false;
+};
+
+// [training]: how the members are fitted.
+struct TrainOptions {
+    std::uint64_t seed = 1;
+    int epochs = 60;
+    int patience = 20;  // epochs without a better validation error before a member stops to count
+    int batch = 128;    // histories
+    double rate = 5e-3, rate_end = 3e-4;  // of Adam; falls along half a cosine
+    double clip = 1;                      // largest norm of a member's gradient
+    LossScale scale;
+};
+
 // What a surrogate is trained from, and how.
 struct TrainSpec {
     std::string file, text;
@@ -30,12 +65,9 @@ struct TrainSpec {
     bool measured_critical = false;  // critical state as measured, not trained
     std::string start;               // model whose weights training starts from; "": drawn
 
-    std::uint64_t seed = 1;
-    int epochs = 60, patience = 20, batch = 128, threads = 1;
-    double rate = 5e-3, rate_end = 3e-4, clip = 1, robust = 0.1, change = 0;
-    bool friction = false;  // the loss compares s/p instead of s
-    double step_share = 0.12, step_least = 2e-5, step_most = 1e-3;
-    double lead_from = 0.02, lead_strain = 3e-3;
+    TrainOptions training;
+    int threads = 1;  // of libtorch
+    CutRule steps;
 };
 
 // The keys of a training recipe, filling `spec`, which must outlive the table.

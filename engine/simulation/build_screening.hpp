@@ -4,7 +4,7 @@
 
 #include "graph/screening/law.hpp"
 #include "io/screening_record.hpp"
-#include "packings/prepare_ground.hpp"
+#include "packings/in_situ.hpp"
 #include "scene/scene.hpp"
 
 namespace sandgraph::simulation {

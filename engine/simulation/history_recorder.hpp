@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/history_journal.hpp"
-#include "packings/prepare_ground.hpp"
+#include "packings/in_situ.hpp"
 #include "scene/scene.hpp"
 #include "simulation/background_writer.hpp"
 #include "simulation/simulation.hpp"

@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "mpm/time_step.hpp"
-#include "packings/rve_options.hpp"
 #include "simulation/build_screening.hpp"
 #include "stress/elastic.hpp"
 #include "stress/mohr_coulomb.hpp"
@@ -43,7 +42,7 @@ std::unique_ptr<stress::Law> granular_law(const scene::Scene& scene, const packi
                                           const mpm::Points& points) {
     const scene::Ground& g = scene.ground;
     const std::vector<double>& radii = ground.rows.front().packing->grains->radius;
-    graph::RveLawSetup setup{g.grains.material, packings::rve_options(g.rve, g.grains.material, radii),
+    graph::RveLawSetup setup{g.grains.material, dem::rve_options(g.rve, g.grains.material, radii),
                              ground.rows, points.row, g.rve};
     if (scene.mode == scene::Mode::screening) return screening_law(scene, ground, std::move(setup));
     return std::make_unique<graph::RveLaw>(std::move(setup));
@@ -60,12 +59,9 @@ std::unique_ptr<stress::Law> closed_form_law(const scene::Scene& scene,
         initial.push_back({s, s, 0});
         out_of_plane.push_back(s);
     }
-    const stress::ElasticConstants elastic{g.continuum.young, g.continuum.poisson};
-    if (g.law == scene::Law::elastic) return std::make_unique<stress::Elastic>(elastic, std::move(initial));
-    const stress::MohrCoulombConstants strength{g.continuum.young, g.continuum.poisson,
-                                                g.continuum.friction_angle, g.continuum.dilation_angle,
-                                                g.continuum.cohesion};
-    return std::make_unique<stress::MohrCoulomb>(strength, std::move(initial), std::move(out_of_plane));
+    if (g.law == scene::Law::elastic)
+        return std::make_unique<stress::Elastic>(g.continuum.elastic(), std::move(initial));
+    return std::make_unique<stress::MohrCoulomb>(g.continuum, std::move(initial), std::move(out_of_plane));
 }
 
 LawFactory law_of(const scene::Scene& scene, const packings::PreparedGround& ground) {

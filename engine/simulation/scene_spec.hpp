@@ -1,5 +1,5 @@
 #pragma once
-#include "packings/prepare_ground.hpp"
+#include "packings/in_situ.hpp"
 #include "simulation/simulation.hpp"
 
 namespace sandgraph::simulation {

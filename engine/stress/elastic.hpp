@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "stress/elastic_constants.hpp"
+#include "stress/constants.hpp"
 #include "stress/law.hpp"
 
 namespace sandgraph::stress {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "stress/elastic_constants.hpp"
 #include "stress/increment.hpp"
 
 namespace sandgraph::stress {
@@ -57,7 +56,7 @@ void MohrCoulomb::initialise(const Batch& batch) {
 }
 
 void MohrCoulomb::update(const Batch& batch) {
-    const ElasticConstants elastic{constants_.young, constants_.poisson};
+    const ElasticConstants elastic = constants_.elastic();
     const double lambda = elastic.lame(), G2 = 2 * elastic.shear();
     for (const auto id : batch.points) {
         const auto p = static_cast<std::size_t>(id);
@@ -72,9 +71,7 @@ void MohrCoulomb::update(const Batch& batch) {
     }
 }
 
-double MohrCoulomb::p_wave_modulus() const {
-    return ElasticConstants{constants_.young, constants_.poisson}.p_wave();
-}
+double MohrCoulomb::p_wave_modulus() const { return constants_.elastic().p_wave(); }
 
 void MohrCoulomb::archive(Archive& a) { field_of_known_length(a, "mohr_coulomb/stress_zz", zz_); }
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "stress/elastic_constants.hpp"
-
 namespace sandgraph::stress {
 namespace {
 
@@ -22,7 +20,7 @@ Principal minus(const Principal& s, double gamma, const Principal& d) {
 
 // The plane on which principal `major` is largest and `minor` smallest.
 Plane plane(std::size_t major, std::size_t minor, const MohrCoulombConstants& k) {
-    const ElasticConstants elastic{k.young, k.poisson};
+    const ElasticConstants elastic = k.elastic();
     Plane p{};
     p.normal[major] = 1 + std::sin(k.friction_angle);
     p.normal[minor] = std::sin(k.friction_angle) - 1;

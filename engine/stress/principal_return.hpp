@@ -1,13 +1,9 @@
 #pragma once
 #include <array>
 
-namespace sandgraph::stress {
+#include "stress/constants.hpp"
 
-struct MohrCoulombConstants {
-    double young = 0, poisson = 0;
-    double friction_angle = 0, dilation_angle = 0;  // phi, psi [rad]
-    double cohesion = 0;                            // c [Pa]
-};
+namespace sandgraph::stress {
 
 // Principal stresses [Pa], tension positive, s1 >= s2 >= s3.
 using Principal = std::array<double, 3>;

@@ -14,6 +14,7 @@
 #include "dem/packing/csv.hpp"
 #include "dem/packing/observables.hpp"
 #include "dem/rve.hpp"
+#include "tests/support/table1_options.hpp"
 
 namespace {
 
@@ -47,7 +48,7 @@ Times round_of(std::vector<Rve>& rves, const std::vector<int>& steps, int thread
     const auto work = [&](int thread) {
         const double start = seconds(CLOCK_THREAD_CPUTIME_ID);
         static thread_local Workspace workspace;
-        RveOptions options;
+        RveOptions options = support::table1_options();
         for (int k = next++; k < kRves; k = next++) {
             options.steps_min = steps[k];
             const Mat2 F = (Mat2() << 1, shear * steps[k], 0, 1).finished();

@@ -8,8 +8,7 @@
 
 #include "base/random.hpp"
 #include "dem/rve.hpp"
-#include "packings/prepare_ground.hpp"
-#include "packings/rve_options.hpp"
+#include "packings/in_situ.hpp"
 #include "scene/read_scene.hpp"
 #include "surrogate/load_surrogate.hpp"
 
@@ -51,7 +50,7 @@ struct Laboratory {
         auto work = std::make_shared<dem::Workspace>();
         const dem::Material material = scene.ground.grains.material;
         const dem::RveOptions options =
-            packings::rve_options(scene.ground.rve, material, ground.rows[r].packing->grains->radius);
+            dem::rve_options(scene.ground.rve, material, ground.rows[r].packing->grains->radius);
         return {ground.traits[r], tension(rve->stress()), [=](const Mat2& F) {
                     rve->update(F, material, options, *work);
                     return tension(rve->stress());

@@ -4,6 +4,7 @@
 #include "graph/screening/law.hpp"
 #include "mpm/layout.hpp"
 #include "tests/support/element_surrogate.hpp"
+#include "tests/support/table1_options.hpp"
 
 namespace sandgraph::fuzz {
 namespace {
@@ -15,7 +16,7 @@ graph::RowPacking row_packing() {
 
 graph::ScreeningSetup setup_of(const mpm::Points& points) {
     graph::ScreeningSetup setup;
-    setup.grains = {{}, {}, {points.size(), row_packing()}, points.row};
+    setup.grains = {{}, support::table1_options(), {points.size(), row_packing()}, points.row};
     setup.surrogate = std::make_shared<support::ElementSurrogate>();
     setup.traits.assign(points.size(), {10e3, 0.2, 2e7, 1.4e7, 3.5, 0, 0, 0.5});
     setup.gate.strain = 2e-4;

@@ -7,7 +7,6 @@
 #include "graph/visits.hpp"
 #include "mpm/audit.hpp"
 #include "packings/compressed_packings.hpp"
-#include "packings/rve_options.hpp"
 #include "surrogate/load_surrogate.hpp"
 
 namespace sandgraph::stability {
@@ -32,7 +31,7 @@ graph::RveLawSetup grains_of(const GroundSpec& spec, const packings::CompressedP
     }
     setup.material = recipe.material;
     setup.row_of_point = points.row;
-    setup.options = packings::rve_options({}, recipe.material, setup.rows.front().packing->grains->radius);
+    setup.options = dem::rve_options({}, recipe.material, setup.rows.front().packing->grains->radius);
     if (spec.stepping) spec.stepping(setup.options);
     return setup;
 }

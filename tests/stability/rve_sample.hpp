@@ -6,6 +6,7 @@
 #include "dem/packing/csv.hpp"
 #include "dem/rve.hpp"
 #include "dem/stretch.hpp"
+#include "tests/support/table1_options.hpp"
 
 namespace sandgraph::stability {
 
@@ -32,7 +33,7 @@ class RveSample {
     }
 
     dem::Rve rve;
-    dem::RveOptions options;
+    dem::RveOptions options = support::table1_options();
     long failures = 0, dem_steps = 0;
     double inertial_max = 0;
 

@@ -9,6 +9,7 @@
 #include "dem/packing/observe.hpp"
 #include "element_surrogate.hpp"
 #include "graph/screening/law.hpp"
+#include "table1_options.hpp"
 
 namespace sandgraph::support {
 namespace {
@@ -29,7 +30,7 @@ dem::AssemblyFactory fast() {
 }
 
 const dem::Packing& base() {
-    static const dem::Packing packing = dem::prepare({.grains = 100}, dem::Material{}, fast()).packing;
+    static const dem::Packing packing = dem::prepare({.count = 100}, dem::Material{}, fast()).packing;
     return packing;
 }
 
@@ -51,7 +52,7 @@ const std::vector<graph::RowPacking>& rows(int count) {
 graph::RveLawSetup grains_of(const mpm::Points& points) {
     const int count = 1 + *std::ranges::max_element(points.row);
     const auto all = rows(count);
-    return {{}, {}, {all.begin(), all.begin() + count}, points.row};
+    return {{}, table1_options(), {all.begin(), all.begin() + count}, points.row};
 }
 
 std::unique_ptr<stress::Law> full_law(const mpm::Points& points) {

@@ -23,25 +23,26 @@ BiaxialRow biaxial_row(SampleOnStand& sample, double rate) {
 void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test) {
     const double missing = test.confining_pressure - sample.assembly().stress()(0, 0);
     Mat2 L = Mat2::Zero();
-    L(0, 0) = -width.rate(missing, quick_servo_interval * test.dt);
+    L(0, 0) = -width.rate(missing, quick_servo_interval * test.time_step);
     L(1, 1) = -test.axial_rate;
     sample.step(L, quick_servo_interval);
 }
 
 }  // namespace
 
-std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test) {
-    assert(test.axial_rate > 0 && test.sample_strain > 0);
-    compress(assembly, {.pressure = test.confining_pressure,
-                        .rate = test.axial_rate,
-                        .modulus = test.modulus,
-                        .relax_steps = test.relax_steps,
-                        .dt = test.dt});
-    SampleOnStand sample(assembly, test.dt);
-    StressServo width = quick_servo(test.modulus, test.axial_rate);
+std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test, double modulus) {
+    assert(test.axial_rate > 0 && test.strain_every > 0);
+    compress(assembly,
+             {.pressure = test.confining_pressure,
+              .rate = test.axial_rate,
+              .relax_steps = test.relax_steps,
+              .time_step = test.time_step},
+             modulus);
+    SampleOnStand sample(assembly, test.time_step);
+    StressServo width = quick_servo(modulus, test.axial_rate);
     std::vector<BiaxialRow> rows{biaxial_row(sample, test.axial_rate)};
     while (rows.back().axial_strain < test.axial_strain * (1 - 1e-3)) {
-        const double next = static_cast<double>(rows.size()) * test.sample_strain;
+        const double next = static_cast<double>(rows.size()) * test.strain_every;
         while (-std::log(sample.F()(1, 1)) < next) shorten(sample, width, test);
         rows.push_back(biaxial_row(sample, test.axial_rate));
     }

@@ -5,11 +5,15 @@
 #include <vector>
 
 #include "dem/assembly.hpp"
+#include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 
 // Element tests: one packing as a soil sample under uniform strain. Strains and stresses are compression
-// positive.
+// positive. Keys of test files bind to the members of the tests. `modulus` [Pa] (typical_modulus) scales the
+// servos.
+
+inline constexpr int usual_relax_steps = 2000;  // at L = 0, before a test, not counted in it
 
 // What is seen at one force evaluation. F [-] is the deformation gradient since the start of the test, H = F
 // H_0 the sample's periods [m] (not re-reduced). Row `step` = m belongs to the m-th force evaluation, where
@@ -23,42 +27,40 @@ struct ElementRow {
 
 // Strain-driven test: constant velocity gradients L_ij = dv_i/dx_j [1/s] in turn.
 struct PathSegment {
-    Mat2 L = Mat2::Zero();
+    Mat2 velocity_gradient = Mat2::Zero();
     std::int64_t steps = 0;
 };
 struct PathTest {
     std::vector<PathSegment> segments;
-    int relax_steps = 2000;  // at L = 0, before step 0
-    int sample_every = 500;  // steps
-    double dt = 1e-5;        // [s]
+    int relax_steps = usual_relax_steps;
+    int sample_every = 500;              // steps between rows
+    double time_step = usual_time_step;  // [s]
 };
 std::vector<ElementRow> run_path(Assembly& sample, const PathTest& test);
 
 // Isotropic compression (or decompression) to `pressure` [Pa], both normal stresses servo-controlled.
 struct IsotropicTest {
-    double pressure = 0;      // [Pa]
+    double pressure = 64e3;   // [Pa]
     double rate = 0.1;        // largest normal strain rate [1/s]
     double tolerance = 1e-3;  // on both normal stresses, relative
-    double modulus = 2e7;     // [Pa], see typical_modulus
-    int relax_steps = 2000;
-    int sample_every = 500;
-    double dt = 1e-5;
+    int relax_steps = usual_relax_steps;
+    int sample_every = 500;              // steps between rows
+    double time_step = usual_time_step;  // [s]
     std::int64_t max_steps = 2'000'000;  // throws std::runtime_error when the pressure is not reached by then
 };
-std::vector<ElementRow> run_isotropic(Assembly& sample, const IsotropicTest& test);
+std::vector<ElementRow> run_isotropic(Assembly& sample, const IsotropicTest& test, double modulus);
 // The same for the sake of the sample: no rows.
-void compress(Assembly& sample, IsotropicTest test);
+void compress(Assembly& sample, IsotropicTest test, double modulus);
 
 // Biaxial test: isotropic compression to the confining pressure, then axial shortening along y at a constant
 // velocity gradient while a servo on the width holds sigma_xx.
 struct BiaxialTest {
-    double confining_pressure = 0;  // [Pa]
-    double axial_rate = 0.1;        // -L_yy [1/s]
-    double axial_strain = 0.2;      // -ln(hyy/hyy_0) at the end
-    double sample_strain = 5e-4;    // between rows
-    double modulus = 2e7;           // [Pa], see typical_modulus
-    int relax_steps = 2000;
-    double dt = 1e-5;
+    double confining_pressure = 64e3;  // sigma_xx, held [Pa]
+    double axial_rate = 0.1;           // -L_yy [1/s]
+    double axial_strain = 0.2;         // -ln(hyy/hyy_0) at the end
+    double strain_every = 5e-4;        // axial strain between rows
+    int relax_steps = usual_relax_steps;
+    double time_step = usual_time_step;  // [s]
 };
 struct BiaxialRow : ElementRow {
     double axial_strain = 0;       // eps_a = -ln(hyy/hyy_0)
@@ -67,18 +69,17 @@ struct BiaxialRow : ElementRow {
     double sin_phi = 0;            // q/p
     double inertial_number = 0;    // rate d sqrt(rho/p), d = 10 mm, rho = 2650 kg/m3
 };
-std::vector<BiaxialRow> run_biaxial(Assembly& sample, const BiaxialTest& test);
+std::vector<BiaxialRow> run_biaxial(Assembly& sample, const BiaxialTest& test, double modulus);
 
-// Simple shear at constant mean stress: isotropic compression to `pressure`, then L_xy = rate while a servo
-// on the area holds the mean stress. The cell is re-reduced as it skews, so strain has no bound.
+// Simple shear at constant mean stress: isotropic compression to `mean_stress`, then L_xy = shear_rate while
+// a servo on the area holds the mean stress. The cell is re-reduced as it skews, so strain has no bound.
 struct ShearTest {
-    double pressure = 0;          // (sxx + syy)/2, held [Pa]
-    double rate = 0.1;            // L_xy [1/s]
-    double strain = 1;            // gamma at the end
-    double sample_strain = 5e-3;  // between rows
-    double modulus = 2e7;         // [Pa], see typical_modulus
-    int relax_steps = 2000;
-    double dt = 1e-5;
+    double mean_stress = 64e3;   // (sxx + syy)/2, held [Pa]
+    double shear_rate = 0.1;     // L_xy [1/s]
+    double shear_strain = 0.2;   // gamma at the end
+    double strain_every = 5e-4;  // shear strain between rows
+    int relax_steps = usual_relax_steps;
+    double time_step = usual_time_step;  // [s]
 };
 struct ShearRow : ElementRow {
     double shear_strain = 0;       // gamma = F_xy/F_yy
@@ -87,7 +88,7 @@ struct ShearRow : ElementRow {
     double stress_ratio = 0;       // q/p
     double inertial_number = 0;    // rate d sqrt(rho/p), d = 10 mm, rho = 2650 kg/m3
 };
-std::vector<ShearRow> run_shear(Assembly& sample, const ShearTest& test);
+std::vector<ShearRow> run_shear(Assembly& sample, const ShearTest& test, double modulus);
 
 // k_n/(2 h) of two mean grains [Pa]: the order of a packing's P-wave modulus; scales the servos.
 double typical_modulus(std::span<const double> radii, const Material& material);

@@ -21,7 +21,7 @@ bool at_pressure(const Mat2& stress, const IsotropicTest& test) {
 // One servo interval; returns the steps done.
 int drive(SampleOnStand& sample, StressServo& x, StressServo& y, const IsotropicTest& test) {
     const Mat2 stress = sample.assembly().stress();
-    const double interval = servo_interval * test.dt;
+    const double interval = servo_interval * test.time_step;
     Mat2 L = Mat2::Zero();
     L(0, 0) = -x.rate(test.pressure - stress(0, 0), interval);
     L(1, 1) = -y.rate(test.pressure - stress(1, 1), interval);
@@ -31,14 +31,14 @@ int drive(SampleOnStand& sample, StressServo& x, StressServo& y, const Isotropic
 
 }  // namespace
 
-std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& test) {
-    assert(test.pressure > 0 && test.rate > 0 && test.sample_every > 0 && test.dt > 0);
-    assembly.step(Mat2::Zero(), test.dt, test.relax_steps);
-    SampleOnStand sample(assembly, test.dt);
-    StressServo x(test.modulus, servo_response, 0, test.rate), y = x;
+std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& test, double modulus) {
+    assert(test.pressure > 0 && test.rate > 0 && test.sample_every > 0 && test.time_step > 0);
+    assembly.step(Mat2::Zero(), test.time_step, test.relax_steps);
+    SampleOnStand sample(assembly, test.time_step);
+    StressServo x(modulus, servo_response, 0, test.rate), y = x;
     std::vector<ElementRow> rows{sample.row()};
     // The pressure counts as reached when it has stayed for ten response times.
-    const int hold = static_cast<int>(10 * servo_response / test.dt);
+    const int hold = static_cast<int>(10 * servo_response / test.time_step);
     for (int held = 0; held < hold;) {
         const int steps = drive(sample, x, y, test);
         held = at_pressure(assembly.stress(), test) ? held + steps : 0;
@@ -52,9 +52,9 @@ std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& t
     return rows;
 }
 
-void compress(Assembly& sample, IsotropicTest test) {
+void compress(Assembly& sample, IsotropicTest test, double modulus) {
     test.sample_every = static_cast<int>(test.max_steps);
-    run_isotropic(sample, test);
+    run_isotropic(sample, test, modulus);
 }
 
 }  // namespace sandgraph::dem

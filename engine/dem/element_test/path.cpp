@@ -14,14 +14,14 @@ int stretch(std::int64_t at, int every, std::int64_t left) {
 }  // namespace
 
 std::vector<ElementRow> run_path(Assembly& assembly, const PathTest& test) {
-    assert(test.sample_every > 0 && test.dt > 0);
-    assembly.step(Mat2::Zero(), test.dt, test.relax_steps);
-    SampleOnStand sample(assembly, test.dt);
+    assert(test.sample_every > 0 && test.time_step > 0);
+    assembly.step(Mat2::Zero(), test.time_step, test.relax_steps);
+    SampleOnStand sample(assembly, test.time_step);
     std::vector<ElementRow> rows{sample.row()};
     for (const PathSegment& segment : test.segments)
         for (std::int64_t left = segment.steps; left > 0;) {
             const int count = stretch(sample.steps(), test.sample_every, left);
-            sample.step(segment.L, count);
+            sample.step(segment.velocity_gradient, count);
             left -= count;
             if (sample.steps() % test.sample_every == 0) rows.push_back(sample.row());
         }

@@ -23,28 +23,29 @@ ShearRow shear_row(SampleOnStand& sample, double rate) {
 }
 
 void shear(SampleOnStand& sample, StressServo& area, const ShearTest& test) {
-    const double missing = test.pressure - mean(sample.assembly().stress());
-    const double shrinking = area.rate(missing, quick_servo_interval * test.dt);  // of the area
-    sample.step((Mat2() << -0.5 * shrinking, test.rate, 0, -0.5 * shrinking).finished(),
+    const double missing = test.mean_stress - mean(sample.assembly().stress());
+    const double shrinking = area.rate(missing, quick_servo_interval * test.time_step);  // of the area
+    sample.step((Mat2() << -0.5 * shrinking, test.shear_rate, 0, -0.5 * shrinking).finished(),
                 quick_servo_interval);
 }
 
 }  // namespace
 
-std::vector<ShearRow> run_shear(Assembly& assembly, const ShearTest& test) {
-    assert(test.rate > 0 && test.sample_strain > 0);
-    compress(assembly, {.pressure = test.pressure,
-                        .rate = test.rate,
-                        .modulus = test.modulus,
-                        .relax_steps = test.relax_steps,
-                        .dt = test.dt});
-    SampleOnStand sample(assembly, test.dt);
-    StressServo area = quick_servo(test.modulus, test.rate);
-    std::vector<ShearRow> rows{shear_row(sample, test.rate)};
-    while (rows.back().shear_strain < test.strain * (1 - 1e-3)) {
-        const double next = static_cast<double>(rows.size()) * test.sample_strain;
+std::vector<ShearRow> run_shear(Assembly& assembly, const ShearTest& test, double modulus) {
+    assert(test.shear_rate > 0 && test.strain_every > 0);
+    compress(assembly,
+             {.pressure = test.mean_stress,
+              .rate = test.shear_rate,
+              .relax_steps = test.relax_steps,
+              .time_step = test.time_step},
+             modulus);
+    SampleOnStand sample(assembly, test.time_step);
+    StressServo area = quick_servo(modulus, test.shear_rate);
+    std::vector<ShearRow> rows{shear_row(sample, test.shear_rate)};
+    while (rows.back().shear_strain < test.shear_strain * (1 - 1e-3)) {
+        const double next = static_cast<double>(rows.size()) * test.strain_every;
         while (sample.F()(0, 1) < next * sample.F()(1, 1)) shear(sample, area, test);
-        rows.push_back(shear_row(sample, test.rate));
+        rows.push_back(shear_row(sample, test.shear_rate));
     }
     return rows;
 }

@@ -16,8 +16,8 @@ constexpr int tries_per_disk = 20'000;
 
 std::vector<double> draw_radii(const Recipe& recipe) {
     Random random(recipe.seed, radii_stream);
-    std::vector<double> r(static_cast<std::size_t>(recipe.grains));
-    for (double& value : r) value = random.uniform(recipe.r_min, recipe.r_max);
+    std::vector<double> r(static_cast<std::size_t>(recipe.count));
+    for (double& value : r) value = random.uniform(recipe.radius_min, recipe.radius_max);
     std::sort(r.begin(), r.end(), std::greater<>());  // small disks fit in late
     return r;
 }
@@ -43,23 +43,22 @@ bool place(Packing& p, double r, double side, Random& random) {
 
 void check(const Recipe& recipe) {
     const InputError::Where where{"recipe", 0};
-    if (recipe.grains < 10)
-        throw InputError(where, fmt::format("grains = {}", recipe.grains), "too few for a packing",
-                         "use 400");
-    if (!(recipe.r_min > 0) || !(recipe.r_max >= recipe.r_min))
-        throw InputError(where, fmt::format("radii {:g} to {:g} m", recipe.r_min, recipe.r_max),
-                         "0 < r_min <= r_max is needed", "use 0.003 and 0.007");
-    if (!(recipe.gas_porosity > recipe.porosity) || !(recipe.gas_porosity < 1))
+    if (recipe.count < 10)
+        throw InputError(where, fmt::format("count = {}", recipe.count), "too few for a packing", "use 400");
+    if (!(recipe.radius_min > 0) || !(recipe.radius_max >= recipe.radius_min))
+        throw InputError(where, fmt::format("radii {:g} to {:g} m", recipe.radius_min, recipe.radius_max),
+                         "0 < radius_min <= radius_max is needed", "use 0.003 and 0.007");
+    if (!(recipe.gas_porosity > recipe.target_porosity) || !(recipe.gas_porosity < 1))
         throw InputError(where, fmt::format("gas_porosity = {:g}", recipe.gas_porosity),
                          "a gas is looser than the packing made from it", "use 0.45");
-    if (!(recipe.porosity > 0) || !(recipe.tolerance > 0))
-        throw InputError(where, fmt::format("porosity = {:g} +- {:g}", recipe.porosity, recipe.tolerance),
-                         "both must be positive", "use 0.16 or 0.20 and 0.002");
-    if (!(recipe.pressure > 0) || !(recipe.rate > 0) || !(recipe.dt > 0))
+    if (!(recipe.target_porosity > 0) || !(recipe.tolerance > 0))
         throw InputError(where,
-                         fmt::format("pressure {:g} Pa, rate {:g} 1/s, time step {:g} s", recipe.pressure,
-                                     recipe.rate, recipe.dt),
-                         "all must be positive", "use 10 kPa, 1 1/s, 1e-5 s");
+                         fmt::format("porosity = {:g} +- {:g}", recipe.target_porosity, recipe.tolerance),
+                         "both must be positive", "use 0.16 or 0.20 and 0.002");
+    if (!(recipe.consolidation_pressure > 0) || !(recipe.rate > 0))
+        throw InputError(
+            where, fmt::format("pressure {:g} Pa, rate {:g} 1/s", recipe.consolidation_pressure, recipe.rate),
+            "both must be positive", "use 10 kPa, 1 1/s");
 }
 
 }  // namespace

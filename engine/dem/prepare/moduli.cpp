@@ -2,6 +2,7 @@
 #include "dem/packing/observe.hpp"
 #include "dem/prepare/prepare.hpp"
 #include "dem/prepare/stages.hpp"
+#include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -33,11 +34,10 @@ struct Probe {
 
 }  // namespace
 
-Moduli small_strain_moduli(const Packing& packing, const Material& material, const AssemblyFactory& factory,
-                           double dt) {
+Moduli small_strain_moduli(const Packing& packing, const Material& material, const AssemblyFactory& factory) {
     const double pressure =
         0.5 * love_weber_stress(packing, contact_forces(packing, material), material).trace();
-    const Probe probe{packing, calm(material), factory, dt,
+    const Probe probe{packing, calm(material), factory, preparation_time_step(material, packing.r),
                       probe_share * pressure / typical_modulus(packing, material)};
     const Mat2 iso = probe.stiffness(mode(1, 0, 1)), biaxial = probe.stiffness(mode(1, 0, -1)),
                simple = probe.stiffness(mode(0, 1, 0));

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/error.hpp"
 #include "dem/element_test/element_test.hpp"
 #include "dem/prepare/stages.hpp"
+#include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -19,12 +21,17 @@ constexpr int most_trials = 30;
 constexpr long consolidation_steps = 1'000'000;  // for usual grains
 constexpr double gas_strain = 1;                 // of each side, more than a gas needs to jam
 
+// Of the recipe, not of a packing: the radii drawn are some of those between.
+double time_step(const Recipe& recipe, const Material& material) {
+    return preparation_time_step(material, std::array{recipe.radius_min, recipe.radius_max});
+}
+
 PressureStage stage_of(const Recipe& recipe, const Packing& packing, const Material& material) {
     PressureStage stage;
-    stage.pressure = recipe.pressure;
+    stage.pressure = recipe.consolidation_pressure;
     stage.rate = recipe.rate;
     stage.modulus = typical_modulus(packing, material);
-    stage.dt = recipe.dt;
+    stage.dt = time_step(recipe, material);
     return stage;
 }
 
@@ -40,16 +47,17 @@ Packing consolidate(const Recipe& recipe, const Packing& gas, Material material,
     const auto assembly = factory(gas, material);
     const PressureStage stage = stage_of(recipe, gas, material);
     if (!drive_to_pressure(*assembly, stage, enough_steps(stage), progress))
-        throw std::runtime_error(fmt::format("consolidation to {:g} Pa does not end", recipe.pressure));
+        throw std::runtime_error(
+            fmt::format("consolidation to {:g} Pa does not end", recipe.consolidation_pressure));
     return at_rest(assembly->packing());
 }
 
 Packing rebalance(const Recipe& recipe, const Packing& packing, const Material& material,
                   const AssemblyFactory& factory, const ProgressCallback& progress) {
     PressureTarget target;
-    target.pressure = recipe.pressure;
+    target.pressure = recipe.consolidation_pressure;
     target.rate = recipe.rate;
-    target.dt = recipe.dt;
+    target.dt = time_step(recipe, material);
     return compress_to(packing, target, material, factory, progress);
 }
 
@@ -75,7 +83,7 @@ struct Preparation {
     const ProgressCallback& progress;
     Prepared result;
 
-    bool on_target() const { return std::abs(result.porosity - recipe.porosity) <= recipe.tolerance; }
+    bool on_target() const { return std::abs(result.porosity - recipe.target_porosity) <= recipe.tolerance; }
     void run(const Packing& gas, double friction) {
         const Packing dense = consolidate(recipe, gas, material, friction, factory, progress);
         result.packing = rebalance(recipe, dense, material, factory, progress);
@@ -92,13 +100,13 @@ struct Preparation {
 Prepared prepare(const Recipe& recipe, const Material& material, const AssemblyFactory& factory,
                  const ProgressCallback& progress) {
     Preparation preparation{recipe, material, factory, progress, {}};
-    FrictionSearch search(recipe.porosity);
+    FrictionSearch search(recipe.target_porosity);
     for (int trial = 0; trial < most_trials; ++trial) {
         preparation.run(random_gas(recipe, trial), search.friction());
         if (preparation.on_target()) return preparation.result;
         search.learn(preparation.result.porosity);
     }
-    throw InputError({"recipe", 0}, fmt::format("porosity {:g} is out of reach", recipe.porosity),
+    throw InputError({"recipe", 0}, fmt::format("porosity {:g} is out of reach", recipe.target_porosity),
                      fmt::format("the last of {} consolidations gave {:.4f}", preparation.result.trials,
                                  preparation.result.porosity),
                      "choose 0.16 (dense) to 0.21 (loose), or a wider tolerance");

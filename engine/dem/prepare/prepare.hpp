@@ -1,15 +1,9 @@
 #pragma once
-#include <functional>
-#include <memory>
-
 #include "base/console.hpp"
 #include "dem/assembly.hpp"
 #include "dem/prepare/recipe.hpp"
 
 namespace sandgraph::dem {
-
-// Makes the assembly that does the work, so that any kernel can prepare packings.
-using AssemblyFactory = std::function<std::unique_ptr<Assembly>(const Packing&, const Material&)>;
 
 struct Prepared {
     Packing packing;  // at rest, with contact history
@@ -32,7 +26,7 @@ struct PressureTarget {
     double pressure = 0;  // [Pa]
     double tolerance = 1e-3;
     double rate = 0.1;  // largest strain rate [1/s]
-    double dt = 1e-5;   // [s]
+    double dt = 0;      // [s]; 0: preparation_time_step of the packing
 };
 Packing compress_to(const Packing& packing, const PressureTarget& target, const Material& material,
                     const AssemblyFactory& factory, const ProgressCallback& progress = {});
@@ -42,7 +36,6 @@ Packing compress_to(const Packing& packing, const PressureTarget& target, const 
 struct Moduli {
     double bulk = 0, shear = 0, p_wave = 0;
 };
-Moduli small_strain_moduli(const Packing& packing, const Material& material, const AssemblyFactory& factory,
-                           double dt = 1e-5);
+Moduli small_strain_moduli(const Packing& packing, const Material& material, const AssemblyFactory& factory);
 
 }  // namespace sandgraph::dem

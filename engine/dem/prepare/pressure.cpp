@@ -7,6 +7,7 @@
 #include "dem/element_test/element_test.hpp"
 #include "dem/prepare/prepare.hpp"
 #include "dem/prepare/stages.hpp"
+#include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -21,7 +22,7 @@ PressureStage stage_of(const PressureTarget& target, const Packing& packing, con
     stage.tolerance = 0.5 * target.tolerance;  // relaxation then has room to drift
     stage.rate = target.rate;
     stage.modulus = typical_modulus(packing, material);
-    stage.dt = target.dt;
+    stage.dt = target.dt > 0 ? target.dt : preparation_time_step(material, packing.r);
     stage.release_shear = true;
     return stage;
 }
@@ -41,10 +42,10 @@ Packing compress_to(const Packing& packing, const PressureTarget& target, const 
     const PressureStage stage = stage_of(target, packing, material);
     PressureStage accepted = stage;
     accepted.tolerance = target.tolerance;
-    const long steps_per_round = std::lround(round_time / target.dt);
+    const long steps_per_round = std::lround(round_time / stage.dt);
     for (int round = 0; round < rounds; ++round) {
         drive_to_pressure(*assembly, stage, steps_per_round, progress);
-        const bool still = relax(*assembly, at_rest_unbalanced, target.dt, steps_per_round);
+        const bool still = relax(*assembly, at_rest_unbalanced, stage.dt, steps_per_round);
         if (still && at_pressure(assembly->stress(), accepted)) return at_rest(assembly->packing());
     }
     throw std::runtime_error(fmt::format("packing does not come to rest at {:g} Pa (now {:g} and {:g} Pa)",

@@ -12,9 +12,9 @@ namespace sandgraph::dem {
 struct PressureStage {
     double pressure = 0;  // [Pa]
     double tolerance = 1e-3;
-    double rate = 0.1;     // [1/s]
-    double modulus = 2e7;  // [Pa], see typical_modulus
-    double dt = 1e-5;      // [s]
+    double rate = 0;     // [1/s]
+    double modulus = 0;  // [Pa], see typical_modulus
+    double dt = 0;       // [s]
     bool release_shear = false;
 };
 

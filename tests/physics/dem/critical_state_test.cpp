@@ -5,6 +5,7 @@
 #include "dem/rve.hpp"
 #include "dem/stretch.hpp"
 #include "public_packing.hpp"
+#include "tests/support/table1_options.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -41,7 +42,7 @@ State sheared(const std::string& density, double direction) {
     FastAssembly start(p, {});
     Rve rve(compact(p, {}, start.stress()));
     Workspace work;
-    RveOptions options;
+    RveOptions options = support::table1_options();
     options.inertial_number_max = 1e-2, options.strain_per_step_max = 1e-4;
     State sum;
     int samples = 0;

@@ -12,7 +12,8 @@ namespace {
 
 std::vector<ShearRow> sheared(const std::string& density, double strain) {
     FastAssembly sample(read_packing_csv(test::yade_file("packing_" + density + "_p32.csv")), Material{});
-    return run_shear(sample, {.pressure = 20e3, .rate = 0.5, .strain = strain, .sample_strain = 0.01});
+    return run_shear(
+        sample, {.mean_stress = 20e3, .shear_rate = 0.5, .shear_strain = strain, .strain_every = 0.01}, 2e7);
 }
 
 TEST(SimpleShear, HoldsTheMeanStressAndReachesItsStrain) {

@@ -15,7 +15,7 @@ using test::matrix, test::Table;
 
 // Rows of a CSV that `rve test` wrote.
 Table fast_test(scene::ElementTestSpec spec, const Packing& packing) {
-    spec.mode = scene::Kernel::fast;
+    spec.mode = Kernel::fast;
     const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
     const auto file = std::filesystem::path(testing::TempDir()) / ("fast_yade_" + name + ".csv");
     std::ofstream(file) << laboratory::run_element_test(spec, packing, "{}").csv;
@@ -24,10 +24,10 @@ Table fast_test(scene::ElementTestSpec spec, const Packing& packing) {
     return table;
 }
 
-Table fast_path(const std::string& kind, std::vector<scene::StrainSegment> segments, int sample_every) {
+Table fast_path(const std::string& kind, std::vector<PathSegment> segments, int sample_every) {
     scene::ElementTestSpec spec;
-    spec.segments = std::move(segments);
-    spec.sample_every = sample_every;
+    spec.path.segments = std::move(segments);
+    spec.path.sample_every = sample_every;
     return fast_test(spec, test::public_packing(kind));
 }
 
@@ -69,7 +69,7 @@ TEST(FastYade, IsotropicCompressionPathA) {
 }
 
 TEST(FastYade, IsochoricBiaxialPathB) {
-    const std::vector<scene::StrainSegment> path{{matrix(0.1, 0, 0, -0.1), 50'000}};
+    const std::vector<PathSegment> path{{matrix(0.1, 0, 0, -0.1), 50'000}};
     const Table dense = fast_path("dense", path, 200), yade = test::read_table("path_b_dense.csv");
     expect_pressures(dense, yade,
                      {{2000, 0.02}, {5000, 0.02}, {10'000, 0.02}, {20'000, 0.07}, {50'000, 0.23}});
@@ -81,7 +81,7 @@ TEST(FastYade, IsochoricBiaxialPathB) {
 }
 
 TEST(FastYade, SimpleShearPathC) {
-    const std::vector<scene::StrainSegment> path{{matrix(0, 0.4, 0, 0), 250'000}};
+    const std::vector<PathSegment> path{{matrix(0, 0.4, 0, 0), 250'000}};
     const Table dense = fast_path("dense", path, 500), yade = test::read_table("path_c_dense.csv");
     expect_pressures(dense, yade, {{2500, 0.03}, {12'500, 0.1}, {50'000, 0.15}});
     EXPECT_NEAR(late_ratio(dense, 125'000), 0.343, 0.045);
@@ -92,8 +92,7 @@ TEST(FastYade, SimpleShearPathC) {
 }
 
 TEST(FastYade, ExtensionAndRecontactPathE) {
-    const std::vector<scene::StrainSegment> path{{matrix(0, 0, 0, 0.1), 20'000},
-                                                 {matrix(0, 0, 0, -0.1), 30'000}};
+    const std::vector<PathSegment> path{{matrix(0, 0, 0, 0.1), 20'000}, {matrix(0, 0, 0, -0.1), 30'000}};
     for (const std::string kind : {"dense", "loose"}) {
         const Table ours = fast_path(kind, path, 200), yade = test::read_table("path_e_" + kind + ".csv");
         expect_pressures(ours, yade, {{400, 0.02}, {800, 0.05}});
@@ -119,10 +118,10 @@ PeakStrength peak_of(const Table& t) {
 
 double line_through_origin(const std::string& kind) {
     std::vector<PeakStrength> peaks;
-    for (const double confining : {32e3, 64e3, 128e3}) {
+    for (const double confining : confining_pressures) {
         scene::ElementTestSpec spec;
         spec.kind = scene::TestKind::biaxial;
-        spec.pressure = confining, spec.strain = 0.1;
+        spec.biaxial.confining_pressure = confining, spec.biaxial.axial_strain = peak_strain;
         peaks.push_back(peak_of(fast_test(spec, test::public_packing(kind, "p10"))));
     }
     return friction_angle(peaks) * 180 / std::numbers::pi;

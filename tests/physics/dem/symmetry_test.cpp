@@ -5,6 +5,7 @@
 #include "dem/rve.hpp"
 #include "dem/stretch.hpp"
 #include "public_packing.hpp"
+#include "tests/support/table1_options.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -102,7 +103,7 @@ TEST(Objectivity, RveUnderASuperposedRotationFollowsTheTurnedReference) {
     TurningPath path{matrix(1 + 1e-4, 0, 0, 1 - 1e-4), 0.05};
     for (int k = 0; k < 20; ++k) {  // to 0.2 % and a whole radian
         fixed.step(L, test::dt, 100);
-        ASSERT_EQ(rve.update(path.next(), {}, {}, work).status, RveStatus::ok);
+        ASSERT_EQ(rve.update(path.next(), {}, support::table1_options(), work).status, RveStatus::ok);
     }
     EXPECT_LT(relative(rve.stress(), turned(fixed.stress(), path.angle)), 1e-2);
 }

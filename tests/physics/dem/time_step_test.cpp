@@ -2,9 +2,11 @@
 // contact sticks.
 #include <numbers>
 
+#include "dem/make_assembly.hpp"
 #include "dem/packing/observe.hpp"
-#include "packings/prepare_packing.hpp"
-#include "packings/rve_options.hpp"
+#include "dem/prepare/prepare.hpp"
+#include "dem/rve_options.hpp"
+#include "dem/time_step.hpp"
 #include "public_packing.hpp"
 
 namespace sandgraph::dem {
@@ -59,14 +61,14 @@ double stability_limit(const Packing& p, const Material& m) {
 }
 
 Packing at_pressure(const Packing& p, double pressure) {
-    return compress_to(p, {.pressure = pressure}, {}, packings::fast_assemblies());
+    return compress_to(p, {.pressure = pressure}, {}, fast_assemblies());
 }
 
 TEST(TimeStep, CriticalOneIsStableAtAnyPressure) {
     for (const std::string kind : {"dense", "loose"})
         for (const double pressure : {32e3, 1e6}) {
             const Packing p = at_pressure(test::public_packing(kind), pressure);
-            const double share = packings::critical_time_step({}, p.r) / stability_limit(p, {});
+            const double share = critical_time_step({}, p.r) / stability_limit(p, {});
             EXPECT_LT(share, 1) << kind << pressure;
             EXPECT_GT(share, 0.7) << kind << pressure;  // nor far too careful
         }
@@ -78,7 +80,7 @@ TEST(TimeStep, CriticalOneIsStableForOtherMaterials) {
         for (const double rolling_stiffness : {0.0, 1.0, 3.0}) {
             Material material;
             material.stiffness_ratio = stiffness_ratio, material.rolling_stiffness = rolling_stiffness;
-            const double share = packings::critical_time_step(material, p.r) / stability_limit(p, material);
+            const double share = critical_time_step(material, p.r) / stability_limit(p, material);
             EXPECT_LT(share, 1) << stiffness_ratio << ' ' << rolling_stiffness;
         }
 }
@@ -99,7 +101,7 @@ Packing crystal(double radius, int side) {
 TEST(TimeStep, DefaultOneIsStableForACrystalOfEqualDisks) {
     const Packing p = crystal(0.005, 6);
     ASSERT_EQ(contact_forces(p, {}).size(), 3 * p.size());
-    EXPECT_LT(packings::rve_options({}, {}, p.r).time_step, stability_limit(p, {}));
+    EXPECT_LT(rve_options({}, {}, p.r).time_step, stability_limit(p, {}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "dem/fast/packing.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/rve.hpp"
+#include "tests/support/table1_options.hpp"
 #include "yade_reference.hpp"
 
 namespace {
@@ -55,9 +56,9 @@ TEST(Rve, AnUpdateOfAPackingItOwnsAllocatesNothing) {
     Rve rve(compact(packing, Material{}, 32e3 * Mat2::Identity()));
     Workspace work;
     const Mat2 F = (Mat2() << 1, 1e-5, 0, 1).finished();
-    rve.update(F, Material{}, RveOptions{}, work);
+    rve.update(F, Material{}, support::table1_options(), work);
     const long before = allocations;
-    for (int k = 0; k < 3; ++k) rve.update(F, Material{}, RveOptions{}, work);
+    for (int k = 0; k < 3; ++k) rve.update(F, Material{}, support::table1_options(), work);
     EXPECT_EQ(allocations, before);
     EXPECT_LT(rve.packing().bytes(), 32'000u);
 }

@@ -6,6 +6,7 @@
 #include "dem/packing/csv.hpp"
 #include "dem/packing/observe.hpp"
 #include "dem/stretch.hpp"
+#include "tests/support/table1_options.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {
@@ -18,7 +19,8 @@ TEST(LabPacking, CarriesTheStressOfItsRve) {
     Rve rve(compact(a.packing(), Material{}, a.stress()));
     Workspace work;
     const Mat2 shear = rotation(0.02) * (Mat2() << 1, 0.001, 0, 0.9998).finished();
-    for (int k = 0; k < 40; ++k) ASSERT_EQ(rve.update(shear, Material{}, {}, work).status, RveStatus::ok);
+    for (int k = 0; k < 40; ++k)
+        ASSERT_EQ(rve.update(shear, Material{}, support::table1_options(), work).status, RveStatus::ok);
     ASSERT_GT(std::abs(rve.angle()), 0.5);
     const Packing shown = lab_packing(rve);
     const Mat2 stress = love_weber_stress(shown, contact_forces(shown, Material{}), Material{});

@@ -4,6 +4,7 @@
 #include "dem/packing/csv.hpp"
 #include "dem/packing/observe.hpp"
 #include "dem/stretch.hpp"
+#include "tests/support/table1_options.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {
@@ -16,7 +17,8 @@ Rve sheared() {
     Rve rve(compact(a.packing(), Material{}, a.stress()));
     Workspace work;
     const Mat2 stretch = (Mat2() << 1 + 1e-4, 0, 0, 1 - 1e-4).finished();
-    for (int k = 0; k < 60; ++k) rve.update(rotation(0.01) * stretch, Material{}, {}, work);
+    for (int k = 0; k < 60; ++k)
+        rve.update(rotation(0.01) * stretch, Material{}, support::table1_options(), work);
     return rve;
 }
 

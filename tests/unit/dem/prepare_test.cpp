@@ -21,8 +21,8 @@ Observables look(const Packing& p) { return observe(p, contact_forces(p, Materia
 // Few grains, so that the tests are quick; the porosity scatters more, hence the tolerance.
 Recipe small(double porosity) {
     Recipe recipe;
-    recipe.grains = 100;
-    recipe.porosity = porosity;
+    recipe.count = 100;
+    recipe.target_porosity = porosity;
     recipe.tolerance = 0.006;
     return recipe;
 }
@@ -65,11 +65,11 @@ TEST(RandomGas, IsDrawnFromSeedAndAttemptOnly) {
 
 TEST(RandomGas, RefusesImpossibleRecipes) {
     Recipe recipe;
-    recipe.r_min = -1;
+    recipe.radius_min = -1;
     EXPECT_THROW(random_gas(recipe), InputError);
-    recipe = Recipe{.grains = 3};
+    recipe = Recipe{.count = 3};
     EXPECT_THROW(random_gas(recipe), InputError);
-    recipe = Recipe{.pressure = 0};
+    recipe = Recipe{.consolidation_pressure = 0};
     EXPECT_THROW(random_gas(recipe), InputError);
     recipe = Recipe{.tolerance = std::nan("")};
     EXPECT_THROW(random_gas(recipe), InputError);
@@ -106,7 +106,7 @@ TEST(Prepare, IsDeterministicAndTellsItsProgress) {
 
 TEST(Prepare, SaysWhenAPorosityIsOutOfReach) {
     Recipe recipe = small(0.05);
-    recipe.grains = 20;
+    recipe.count = 20;
     EXPECT_THROW(prepare(recipe, Material{}, reference), InputError);
 }
 

@@ -8,6 +8,7 @@
 #include "dem/fast/fast.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/stretch.hpp"
+#include "tests/support/table1_options.hpp"
 #include "yade_reference.hpp"
 
 namespace sandgraph::dem {
@@ -34,7 +35,7 @@ class RveTest : public testing::Test {
         for (int k = 0; k < times; ++k) ASSERT_NE(drive(rve, F).status, RveStatus::diverged);
     }
     static double mean(const Rve& rve) { return 0.5 * rve.stress().trace(); }
-    RveOptions options;
+    RveOptions options = support::table1_options();
     Workspace work;
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/public_packing.hpp"
+#include "tests/support/table1_options.hpp"
 
 namespace sandgraph::graph {
 namespace {
@@ -12,7 +13,11 @@ using support::public_packing;
 // A few points on one packing, driven by hand.
 struct Bench {
     explicit Bench(std::size_t points, double tolerance = 0.005)
-        : law({{}, {}, {public_packing()}, std::vector<std::int32_t>(points, 0), tolerance}),
+        : law({{},
+               support::table1_options(),
+               {public_packing()},
+               std::vector<std::int32_t>(points, 0),
+               tolerance}),
           ids(points),
           F(points, Mat2::Identity()),
           stress(points) {
@@ -110,7 +115,8 @@ TEST(RveLaw, WatchedUpdatesReplayToTheSameStress) {
         for (const dem::RveUpdate& u : support::watched(bench.law)) {
             ++updates;
             EXPECT_EQ(u.point, 1);
-            EXPECT_EQ(twin.update(u.F_inc, {}, {}, work).dem_steps, u.report.dem_steps);
+            EXPECT_EQ(twin.update(u.F_inc, {}, support::table1_options(), work).dem_steps,
+                      u.report.dem_steps);
             EXPECT_EQ(twin.stress(), u.stress);
             EXPECT_EQ(twin.volume_ratio(), u.volume_ratio);
             EXPECT_NEAR(u.seen.fabric.trace(), 1, 1e-12);

@@ -3,6 +3,7 @@
 #include "graph/stress_arithmetic.hpp"
 #include "tests/support/element_surrogate.hpp"
 #include "tests/support/public_packing.hpp"
+#include "tests/support/table1_options.hpp"
 
 // A few points under a law, driven by given increments.
 namespace sandgraph::graph {
@@ -11,7 +12,8 @@ using support::watched;
 
 inline ScreeningSetup setup_of(std::size_t points, double strain) {
     ScreeningSetup s;
-    s.grains = {{}, {}, {support::public_packing()}, std::vector<std::int32_t>(points, 0)};
+    s.grains = {
+        {}, support::table1_options(), {support::public_packing()}, std::vector<std::int32_t>(points, 0)};
     s.surrogate = std::make_shared<support::ElementSurrogate>();
     s.traits = {support::public_traits()};
     s.gate.strain = strain;

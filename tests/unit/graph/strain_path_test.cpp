@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "dem/rve.hpp"
 #include "tests/support/public_packing.hpp"
+#include "tests/support/table1_options.hpp"
 
 namespace sandgraph::graph {
 namespace {
@@ -105,11 +106,11 @@ TEST(StrainPath, APackingDrivenAlongItStandsWhereItsTwinStands) {
         StrainPath path(tolerance);
         Mat2 before = Mat2::Identity();
         for (const Mat2& F : wandering(seed, 600, 5e-6)) {
-            twin.update(F * before.inverse(), {}, {}, work);
+            twin.update(F * before.inverse(), {}, support::table1_options(), work);
             before = F;
             path.add(F);
         }
-        while (!path.done()) replayed.update(path.advance(1e-3), {}, {}, work);
+        while (!path.done()) replayed.update(path.advance(1e-3), {}, support::table1_options(), work);
         const double p = 0.5 * twin.stress().trace();
         worst = std::max(worst, (twin.stress() - replayed.stress()).norm() / p);
     }

@@ -11,7 +11,6 @@
 #include "io/history_file.hpp"
 #include "laboratory/probe_plan.hpp"
 #include "packings/compressed_packings.hpp"
-#include "packings/rve_options.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::laboratory {
@@ -76,8 +75,7 @@ TEST(Probe, HistoriesReplayToTheLoggedStressBitForBit) {
     for (const std::size_t h : {std::size_t{0}, std::size_t{3}, log.histories.size() - 1}) {
         const PackingPlan& packing = plan.packings[static_cast<std::size_t>(log.histories[h].packing)];
         dem::Rve rve(packings::CompressedPackings(packing.grains).row(packing.pressure).packing);
-        const dem::RveOptions options =
-            packings::rve_options(spec.rve, material, rve.packing().grains->radius);
+        const dem::RveOptions options = dem::rve_options(spec.rve, material, rve.packing().grains->radius);
         ASSERT_GT(log.of(h).size(), 1u);
         for (const io::HistoryRow& row : log.of(h)) {
             rve.update(row.F_inc, material, options, work);

@@ -140,7 +140,7 @@ TEST(StudyRun, TheDefaultErrsByOnePercentAtMostNearZeroPressure) {
     StudySample low = sample();
     dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p10.csv"),
                         low.material);
-    dem::compress(a, {.pressure = study_pressure_low, .rate = 0.05});
+    dem::compress(a, {.pressure = study_pressure_low, .rate = 0.05}, 2e7);
     low.row.packing = dem::compact(a.packing(), low.material, a.stress());
     const StrainHistory history = opening_history();
     graph::RveSettings bare;

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <vector>
 
-#include "packings/rve_options.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::packings {
@@ -36,15 +35,6 @@ TEST(PackingTraits, DescribeThePackingAtItsPressure) {
     EXPECT_EQ(traits.strength, std::sin(0.5));
 }
 
-TEST(PreparationStep, IsTheUsualOneOfUsualGrainsAndStaysStableForOthers) {
-    const std::vector<double> usual{0.003, 0.007}, small{0.0003, 0.0007};
-    EXPECT_EQ(preparation_time_step({}, usual), 1e-5);
-    dem::Material stiff;
-    stiff.young *= 20;
-    EXPECT_LT(preparation_time_step(stiff, usual), 0.5 * critical_time_step(stiff, usual));
-    EXPECT_LT(preparation_time_step({}, small), 0.5 * critical_time_step({}, small));
-}
-
 // All lengths by a tenth, the depth too: an assembly with the same stresses, ten times as quick.
 TEST(CompressedPackings, OfSmallGrainsAreThoseOfLargeOnesScaled) {
     const test::Scratch cache;
@@ -67,7 +57,8 @@ TEST(PackingTraits, FabricLeansToTheCompressedAxis) {
     dem::Workspace work;
     const double size = 5e-4;
     for (int step = 0; step < 30; ++step)
-        rve.update((Mat2() << 1 + size, 0, 0, 1 - size).finished(), few_grains().material, {}, work);
+        rve.update((Mat2() << 1 + size, 0, 0, 1 - size).finished(), few_grains().material,
+                   dem::rve_options({}, few_grains().material, rve.packing().grains->radius), work);
     const auto sheared = std::make_shared<dem::CompactPacking>(rve.packing());
     const stress::PackingTraits traits = packings.traits({sheared, {}}, 0.5);
     EXPECT_LT(traits.fabric_xx, -0.02);

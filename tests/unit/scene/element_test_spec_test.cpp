@@ -42,29 +42,29 @@ TEST_F(ElementTestFile, ReadsAPath) {
                                                       "time_step = \"2e-5 s\"\nrelax_steps = 7\n") +
                                               segment + segment));
     EXPECT_EQ(spec.kind, TestKind::path);
-    EXPECT_EQ(spec.mode, Kernel::fast);
-    EXPECT_EQ(spec.time_step, 2e-5);
-    EXPECT_EQ(spec.relax_steps, 7);
-    ASSERT_EQ(spec.segments.size(), 2u);
-    EXPECT_EQ(spec.segments[1].velocity_gradient, (Mat2() << 0.1, 0.2, 0, -0.1).finished());
-    EXPECT_EQ(spec.segments[1].steps, 50);
+    EXPECT_EQ(spec.mode, dem::Kernel::fast);
+    EXPECT_EQ(spec.path.time_step, 2e-5);
+    EXPECT_EQ(spec.path.relax_steps, 7);
+    ASSERT_EQ(spec.path.segments.size(), 2u);
+    EXPECT_EQ(spec.path.segments[1].velocity_gradient, (Mat2() << 0.1, 0.2, 0, -0.1).finished());
+    EXPECT_EQ(spec.path.segments[1].steps, 50);
 }
 
 TEST_F(ElementTestFile, ReadsAShearAtConstantMeanStress) {
     const auto spec = read_element_test(
         write("t.toml", "kind = \"simple_shear\"\nmean_stress = \"20 kPa\"\nshear_strain = 10\n"));
     EXPECT_EQ(spec.kind, TestKind::simple_shear);
-    EXPECT_EQ(spec.pressure, 20e3);
-    EXPECT_EQ(spec.strain, 10);
+    EXPECT_EQ(spec.shear.mean_stress, 20e3);
+    EXPECT_EQ(spec.shear.shear_strain, 10);
     EXPECT_EQ(refused("kind = \"simple_shear\"\nshear_rate = \"1e5 1/s\"\n").substr(0, 9), "t.toml:2:");
 }
 
 TEST_F(ElementTestFile, ReadsSegmentsFromCsvBesideIt) {
     write("p.csv", "Lxx,Lxy,Lyx,Lyy,steps\n0.1,0,0,-0.1,100\n\n0,0.4,0,0,2e3\n");
     const auto spec = read_element_test(write("t.toml", "kind = \"path\"\nsegments = \"p.csv\"\n"));
-    ASSERT_EQ(spec.segments.size(), 2u);
-    EXPECT_EQ(spec.segments[1].velocity_gradient(0, 1), 0.4);
-    EXPECT_EQ(spec.segments[1].steps, 2000);
+    ASSERT_EQ(spec.path.segments.size(), 2u);
+    EXPECT_EQ(spec.path.segments[1].velocity_gradient(0, 1), 0.4);
+    EXPECT_EQ(spec.path.segments[1].steps, 2000);
 }
 
 TEST_F(ElementTestFile, RefusesBadCsvAtItsLine) {
@@ -84,9 +84,9 @@ TEST_F(ElementTestFile, ReadsABiaxialTest) {
                                               "kind = \"biaxial\"\nconfining_pressure = \"32 kPa\"\n"
                                               "axial_rate = \"0.2 1/s\"\naxial_strain = 0.1\n"));
     EXPECT_EQ(spec.kind, TestKind::biaxial);
-    EXPECT_EQ(spec.pressure, 32e3);
-    EXPECT_EQ(spec.rate, 0.2);
-    EXPECT_EQ(spec.strain, 0.1);
+    EXPECT_EQ(spec.biaxial.confining_pressure, 32e3);
+    EXPECT_EQ(spec.biaxial.axial_rate, 0.2);
+    EXPECT_EQ(spec.biaxial.axial_strain, 0.1);
 }
 
 TEST_F(ElementTestFile, TakesTheMaterialOfThePackingUnlessTold) {

@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "io/history_file.hpp"
 #include "mpm/layout.hpp"
-#include "packings/rve_options.hpp"
 #include "scene/read_scene.hpp"
 #include "simulation/history_points.hpp"
 #include "simulation/scene_spec.hpp"
@@ -83,7 +82,7 @@ const io::HistoryLog& log() {
 std::size_t replayed(const io::HistoryLog& log, io::HistoryMode mode) {
     const scene::Ground& g = small_scene().ground;
     const dem::RveOptions options =
-        packings::rve_options(g.rve, g.grains.material, ground().rows[0].packing->grains->radius);
+        dem::rve_options(g.rve, g.grains.material, ground().rows[0].packing->grains->radius);
     dem::Workspace work;
     std::size_t rows = 0;
     for (std::size_t h = 0; h < log.histories.size(); ++h) {

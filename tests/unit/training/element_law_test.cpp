@@ -16,7 +16,8 @@ namespace {
 struct Sample {
     HistorySet set = support::random_histories(20, 60);
     std::vector<Batch> batches;
-    explicit Sample(const CutRule& rule = {.lead_from = 1e-3, .lead_strain = 1e-3}) {
+    explicit Sample(const CutRule& rule = {
+                        .most = 4e-4, .share = 0.06, .lead_from = 1e-3, .lead_strain = 1e-3}) {
         std::vector<std::int64_t> all(set.histories.size());
         std::iota(all.begin(), all.end(), 0);
         batches = make_batches(cut_all(set, all, rule, 1), 100, torch::kDouble);
@@ -83,7 +84,7 @@ void expect_served_alike(const ElementLaw& law, const Sample& sample, std::int64
 }
 
 TEST_P(EveryElementRung, IsServedAsItIsTrainedToTwelveDigits) {
-    const Sample sample({.least = 0, .share = 0});
+    const Sample sample({.least = 0, .most = 4e-4, .share = 0, .lead_from = 0, .lead_strain = 0});
     const auto law = law_of(GetParam());
     set_ranges(*law, sample.batches);
     law->midpoint = true;

@@ -32,7 +32,9 @@ std::vector<Batch> measured_by(const ElementLaw& law) {
     const HistorySet set = support::random_histories(histories, 100);
     std::vector<std::int64_t> all(set.histories.size());
     std::iota(all.begin(), all.end(), 0);
-    auto batches = make_batches(cut_all(set, all, {.share = 0.1}, 1), 16, torch::kDouble);
+    auto batches =
+        make_batches(cut_all(set, all, {.most = 4e-4, .share = 0.1, .lead_from = 0, .lead_strain = 0}, 1), 16,
+                     torch::kDouble);
     const torch::NoGradGuard no_gradients;
     for (Batch& batch : batches) {
         const Prediction answer = law.rollout(batch);

@@ -20,7 +20,7 @@ struct PreparedGround {
 };
 
 // Prepares (or takes from the cache) one packing per depth row at its in-situ stress, and measures the
-// friction angle in biaxial tests at 32, 64 and 128 kPa.
+// friction angle (friction.hpp).
 PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback& progress = {});
 
 }  // namespace sandgraph::packings

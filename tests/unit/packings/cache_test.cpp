@@ -1,4 +1,4 @@
-#include "packings/packing_cache.hpp"
+#include "packings/cache.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -15,7 +15,7 @@ namespace {
 constexpr int kPackings = 40;
 
 dem::Packing packing(int k) {
-    dem::Packing p = dem::random_gas({.grains = 20});
+    dem::Packing p = dem::random_gas({.count = 20});
     p.x[0] += 1e-9 * k;
     return p;
 }

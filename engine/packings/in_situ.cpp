@@ -1,4 +1,4 @@
-#include "packings/prepare_ground.hpp"
+#include "packings/in_situ.hpp"
 
 #include <tbb/parallel_for.h>
 

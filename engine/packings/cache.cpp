@@ -1,4 +1,4 @@
-#include "packings/packing_cache.hpp"
+#include "packings/cache.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,8 +12,9 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "dem/make_assembly.hpp"
+#include "dem/prepare/prepare.hpp"
 #include "io/atomic_file.hpp"
-#include "packings/prepare_packing.hpp"
 
 namespace sandgraph::packings {
 namespace {
@@ -27,7 +28,7 @@ constexpr const char* kGeneration = "preparation 3";
 // packing made with other rounding (another version, another instruction set) is another packing.
 std::string kernel_fingerprint() {
     const dem::Material material;
-    const auto sample = fast_assemblies()(dem::random_gas({.grains = 50}), material);
+    const auto sample = dem::fast_assemblies()(dem::random_gas({.count = 50}), material);
     sample->step(-20 * Mat2::Identity(), 1e-5, 2000);
     const Mat2 s = sample->stress();
     return fmt::format("{:a} {:a} {:a} {:a}", s(0, 0), s(0, 1), s(1, 0), s(1, 1));

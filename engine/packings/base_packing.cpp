@@ -1,0 +1,37 @@
+#include "packings/base_packing.hpp"
+
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "dem/make_assembly.hpp"
+#include "dem/packing/csv.hpp"
+#include "dem/prepare/prepare.hpp"
+#include "packings/cache.hpp"
+#include "scene/grain_keys.hpp"
+
+namespace sandgraph::packings {
+
+io::PackingRecord load_packing(const std::string& file) {
+    const std::string kind = std::filesystem::path(file).extension().string();
+    if (kind == ".csv") return {.packing = dem::read_packing_csv(file), .material = {}, .recipe = {}};
+    if (kind == ".h5") return io::read_packing(file);
+    throw InputError({file, 0}, "unknown kind of packing file", "its name must tell the format",
+                     "give a .csv or .h5 file");
+}
+
+dem::Packing base_packing(const scene::Grains& grains, const ProgressCallback& progress) {
+    if (!grains.packing.empty()) return load_packing(grains.packing).packing;
+    return dem::prepare(grains, grains.material, dem::fast_assemblies(), progress).packing;
+}
+
+dem::Packing table1_packing(const std::string& density, std::uint64_t seed, int count) {
+    scene::Grains grains;
+    grains.count = count;
+    grains.seed = seed;
+    grains.density = density;
+    grains.target_porosity = scene::porosity_of(density);
+    return cached_packing(packing_recipe(grains) + "base\n", grains.material,
+                          [&] { return base_packing(grains); });
+}
+
+}  // namespace sandgraph::packings
