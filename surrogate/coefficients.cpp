@@ -1,5 +1,7 @@
 #include "surrogate/coefficients.hpp"
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::surrogate {
 namespace {
 
@@ -14,6 +16,9 @@ Coefficients coefficients(const Model& model, const Member& m, const PointConsta
                           double strength_scale, const CriticalPull& critical,
                           std::span<const double> outputs) {
     const std::size_t M = model.elements;
+    SG_EXPECT(outputs.empty() || outputs.size() == 3 * M + 1);
+    SG_EXPECT(m.share.size() == M && m.strength.size() == M && m.dilatancy.size() == M);
+    SG_EXPECT(!(p <= 0) && point.pressure > 0);
     const auto output = [&](std::size_t i) { return outputs.empty() ? 0.0 : outputs[i]; };
     const auto factor = [&](std::size_t i, double b) { return bounded_factor(output(i), b); };
     const double stiffening = std::pow(p / point.pressure, m.exponent);

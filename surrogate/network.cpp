@@ -2,10 +2,14 @@
 
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::surrogate {
 namespace {
 
 std::vector<double> affine(const Layer& layer, std::span<const double> x) {
+    SG_EXPECT(x.size() == layer.inputs && layer.bias.size() == layer.outputs);
+    SG_EXPECT(layer.weight.size() == layer.inputs * layer.outputs);
     std::vector<double> y = layer.bias;
     for (std::size_t o = 0; o < layer.outputs; ++o)
         for (std::size_t i = 0; i < layer.inputs; ++i) y[o] += layer.weight[o * layer.inputs + i] * x[i];

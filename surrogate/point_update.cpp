@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <numeric>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "stress/increment.hpp"
 #include "surrogate/network.hpp"
@@ -116,6 +118,8 @@ PointState start_point(const Model& model, const stress::PackingTraits& t, const
 }
 
 stress::SurrogateAnswer update_point(const Model& model, const Mat2& F_inc, PointState& point) {
+    SG_EXPECT(point.members.size() == model.members.size());
+    SG_EXPECT(F_inc.determinant() > 0);
     const stress::Increment e = stress::increment(F_inc);
     const Strain strain = strain_of(e, F_inc, model.substep);
     double distance = 0;

@@ -1,5 +1,7 @@
 #include "surrogate/state_layout.hpp"
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::surrogate {
 namespace {
 
@@ -23,6 +25,7 @@ void pack_member(const MemberState& m, std::span<double> v) {
 }  // namespace
 
 PointState unpack(const StateLayout& layout, std::span<const double> v) {
+    SG_EXPECT(v.size() == layout.size());
     const auto c = v.subspan(layout.constants);
     PointState point{
         v[layout.volume], {v[layout.fabric], v[layout.fabric + 1]}, {c[0], c[1], c[2], c[3], c[4], c[5]}, {}};
@@ -33,6 +36,7 @@ PointState unpack(const StateLayout& layout, std::span<const double> v) {
 }
 
 void pack(const StateLayout& layout, const PointState& point, std::span<double> v) {
+    SG_EXPECT(v.size() == layout.size() && point.members.size() == layout.members);
     std::fill(v.begin(), v.end(), 0.0);
     v[layout.volume] = point.volume;
     v[layout.fabric] = point.fabric.real();

@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::surrogate {
 namespace {
 
@@ -19,6 +21,7 @@ Eigen::Vector3d column_of(const Stress& s) { return {s.xx, s.yy, s.xy}; }
 
 stress::Tangent difference_tangent(const stress::Surrogate& law, std::span<const double> state,
                                    const Eigen::Vector3d& strain) {
+    SG_EXPECT(state.size() == law.state_size() && strain.allFinite());
     constexpr std::array<std::int32_t, 6> points{0, 1, 2, 3, 4, 5};
     std::array<Mat2, 6> F;
     std::array<stress::SurrogateAnswer, 6> answers;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::training {
 namespace {
 
@@ -15,6 +17,7 @@ struct PowerLaw {
 };
 
 PowerLaw fit(const HistorySet& set, const std::set<std::int32_t>& packings, double PackingTraits::*trait) {
+    SG_EXPECT(!packings.empty() && all_below(packings, set.packings.size()));
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const std::int32_t k : packings) {
         const PackingTraits& traits = set.packings[static_cast<std::size_t>(k)].traits;

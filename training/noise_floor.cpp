@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "stress/increment.hpp"
 
 namespace sandgraph::training {
@@ -10,6 +11,7 @@ namespace {
 
 // Every `count` increments of a history composed to one.
 History joined(const History& history, std::size_t count) {
+    SG_EXPECT(count > 0 && history.F_inc.size() == history.stress.size());
     History out = history;
     out.F_inc.clear();
     out.stress.clear();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 
 namespace sandgraph::training {
@@ -24,6 +25,7 @@ bool holds(const std::vector<std::int64_t>& values, std::int64_t value) {
 
 // The last `count` of `seeds`, taken away from it.
 std::vector<std::int64_t> take(std::vector<std::int64_t>& seeds, int count) {
+    SG_EXPECT(count >= 0);
     const auto begin = seeds.end() - std::min<std::ptrdiff_t>(count, std::ssize(seeds));
     std::vector<std::int64_t> taken(begin, seeds.end());
     seeds.erase(begin, seeds.end());
@@ -66,6 +68,7 @@ Split split(const HistorySet& set, const scene::TrainSpec& spec) {
             split.training.push_back(k);
     }
     thin_out(split.training, static_cast<std::size_t>(spec.histories));
+    SG_ENSURE(distinct_below(split.training, set.histories.size()));
     return split;
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/contracts.hpp"
 #include "base/random.hpp"
 #include "io/atomic_file.hpp"
 
@@ -53,6 +54,7 @@ Trainer::Trainer(std::shared_ptr<Law> law, const TrainOptions& options, std::int
       adam_(law_->parameters(), torch::optim::AdamOptions(options.rate)),
       drawn_(bootstrap(law_->members(), histories, options.seed)),
       best_error_(torch::full(law_->members(), std::numeric_limits<double>::infinity(), torch::kDouble)) {
+    SG_EXPECT(histories > 0 && options.epochs > 0 && options.rate > 0);
     for (const Tensor& parameter : law_->parameters()) best_.push_back(parameter.detach().clone());
     drawn_ = drawn_.to(law_->parameters().front().dtype());
 }
@@ -111,6 +113,7 @@ void Trainer::keep_better(const Tensor& error) {
 }
 
 EpochReport Trainer::epoch(const Batches& training, const Batches& validation) {
+    SG_EXPECT(!training.empty() && !validation.empty());
     const double start = seconds();
     const double turn = std::numbers::pi * epoch_ / std::max(1, options_.epochs - 1);
     const double rate = options_.rate_end + 0.5 * (options_.rate - options_.rate_end) * (1 + std::cos(turn));

@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph {
 namespace {
 
@@ -43,6 +45,7 @@ void StageProgress::update(std::string_view stage, double fraction) {
 
 void Tally::done(std::string_view stage) {
     const std::lock_guard lock(telling_);
+    SG_EXPECT(done_ < all_);
     ++done_;
     if (progress_) progress_(stage, static_cast<double>(done_) / static_cast<double>(all_));
 }

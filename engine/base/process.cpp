@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph {
 namespace {
 
@@ -23,6 +25,7 @@ namespace {
 
 int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
                 const std::filesystem::path& messages) {
+    SG_EXPECT(!arguments.empty());
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph {
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -20,6 +22,7 @@ int edit_distance(std::string_view a, std::string_view b) {
         }
         before_last = std::exchange(last, row);
     }
+    SG_ENSURE(last.back() >= 0 && last.back() <= static_cast<int>(std::max(a.size(), b.size())));
     return last.back();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "dem/packing/crushed.hpp"
 #include "dem/stretch.hpp"
 
@@ -40,6 +41,7 @@ int step_count(double magnitude, double rate, double pressure, const RveOptions&
 // `count` steps under the constant gradient L: move, forces, kick. Leaves forces and cell in step, so the
 // stress of the last evaluation belongs to the deformation reached.
 Mat2 run(Workspace& w, const KernelConstants& k, const Material& m, const Mat2& L, double dt, int count) {
+    SG_EXPECT(count >= 1 && dt > 0);
     FastState& s = w.state;
     double sum[4], speed2 = drift(s, L, dt);
     s.approach += w.neighbours.approach(s, speed2, dt);
@@ -69,6 +71,9 @@ bool crushed(const CompactPacking& p, const Mat2& stretch) {
 
 RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOptions& options,
                       Workspace& work) {
+    SG_EXPECT(options.time_step > 0 && options.strain_per_step_max > 0 && options.inertial_number_max > 0);
+    SG_EXPECT(options.pressure_floor > 0 && options.stress_per_step_max > 0);
+    SG_EXPECT(material.density > 0 && material.depth > 0);
     if (!usable(F_inc)) return {RveStatus::bad_increment};
     const Polar increment = polar(turned(F_inc, -angle_));
     if (hencky(increment.U).norm() > kLargestIncrement) return {RveStatus::bad_increment};
@@ -88,6 +93,8 @@ RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOpti
     volume_ *= increment.U.determinant();
     settle(options);
     if (floating_) report.status = RveStatus::floating;
+    SG_ENSURE(volume_ > 0 && std::isfinite(angle_));
+    SG_ENSURE(packing().stress.allFinite() && (!floating_ || packing().stress.isZero(0)));
     return report;
 }
 
@@ -124,6 +131,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     }
     pack(work.state, *own_);
     own_->stress = stress;
+    SG_ENSURE(report.dem_steps >= 1 && own_->grains == initial_->grains);
     return report;
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "base/byte_stream.hpp"
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
 #include "dem/fast/kernel.hpp"
 #include "dem/fast/neighbour_list.hpp"
@@ -36,7 +37,9 @@ struct Workspace {
 class Rve {
   public:
     // Shares the initial packing of its depth row; an own copy is made by the first update.
-    explicit Rve(std::shared_ptr<const CompactPacking> initial) : initial_(std::move(initial)) {}
+    explicit Rve(std::shared_ptr<const CompactPacking> initial) : initial_(std::move(initial)) {
+        SG_EXPECT(initial_ != nullptr);
+    }
 
     // Drives the packing through the increment F_inc (lab frame, det > 0). After a report other than `ok` or
     // `floating` the state is unchanged and `stress()` still that of before.

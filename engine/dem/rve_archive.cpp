@@ -64,6 +64,7 @@ void Rve::load(ByteReader& in) {
     take(in, pending_);
     require_state(std::isfinite(angle_) && volume_ > 0 && contact_volume_ > 0 && pending_.allFinite(),
                   "numbers");
+    require_state(own || !floating_, "flags");  // only a packing of its own opens up
     own_.reset();
     if (!own) return;
     auto packing = std::make_unique<CompactPacking>();

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::io {
 namespace fs = std::filesystem;
 namespace {
@@ -49,6 +51,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
+    SG_EXPECT(!committed_);
     sync_to_disk(temporary_);
     fs::rename(temporary_, final_);
     committed_ = true;
@@ -56,6 +59,7 @@ void AtomicFile::commit() {
 }
 
 void AtomicFile::commit_keeping(const fs::path& previous) {
+    SG_EXPECT(!committed_ && previous != final_);
     if (fs::exists(final_)) {
         fs::remove(previous);
         // A hard link, so that the final name never disappears; a copy where links do not exist.

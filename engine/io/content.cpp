@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "io/h5_attribute.hpp"
 
 namespace sandgraph::io {
 
 void mark_content(h5::Group& root, const std::string& content, std::int64_t schema) {
+    SG_EXPECT(!content.empty() && schema >= 1);
     h5::set_attribute(root, ".", "content", content);
     h5::set_attribute(root, ".", "schema", schema);
 }

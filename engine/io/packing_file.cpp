@@ -1,5 +1,6 @@
 #include "io/packing_file.hpp"
 
+#include "base/contracts.hpp"
 #include "io/atomic_file.hpp"
 #include "io/contact_columns.hpp"
 #include "io/content.hpp"
@@ -51,6 +52,8 @@ void read_grains(const h5::Group& group, dem::Packing& p) {
 }  // namespace
 
 void write_packing(const std::filesystem::path& path, const PackingRecord& record) {
+    SG_EXPECT(record.packing.y.size() == record.packing.size());
+    SG_EXPECT(record.packing.r.size() == record.packing.size());
     AtomicFile target(path);
     h5::File file = h5::File::create(target.temporary());
     h5::Group root = file.root(), cell = root.create("cell");

@@ -1,5 +1,7 @@
 #include "mpm/boundary.hpp"
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -73,10 +75,13 @@ void fix_edge(Field& field, const Edge& e, double dt) {
 }  // namespace
 
 void fold(Field& field, const GridShape& shape, const Boundaries& boundaries) {
+    SG_EXPECT(field.box.empty() || field.nodes.size() == shape.size());
     for_sides(field, shape, boundaries, Side::mirror, [&](const Edge& e) { fold_edge(field, e); });
 }
 
 void constrain(Field& field, const GridShape& shape, const Boundaries& boundaries, double dt) {
+    SG_EXPECT(dt > 0);
+    SG_EXPECT(field.box.empty() || field.motion.size() == shape.size());
     for_sides(field, shape, boundaries, Side::fixed, [&](const Edge& e) { fix_edge(field, e, dt); });
     for_sides(field, shape, boundaries, Side::mirror, [&](const Edge& e) { mirror_edge(field, e); });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 
 namespace sandgraph::mpm {
 namespace {
@@ -20,6 +21,7 @@ void remember(Contact& contact, std::size_t p, Face face) {
 
 // Force on the soil [N/m]; slips the spring where Coulomb's limit is reached.
 Vec2 force(const RigidPlate& plate, const Touch& t, double& slip) {
+    SG_EXPECT(t.penetration > 0 && t.length > 0);  // never tension
     const double limit = std::tan(plate.friction_angle) * t.penetration;
     slip = std::clamp(slip, -limit, limit);
     const double k = plate.stiffness * t.length;
@@ -37,6 +39,8 @@ Contact make_contact(std::size_t points) {
 
 void add_contact(const RigidPlate& plate, const Points& points, const Order& order, Grid& grid,
                  Contact& contact) {
+    SG_EXPECT(contact.slip.size() == points.size() && contact.face.size() == points.size());
+    SG_EXPECT(plate.stiffness > 0 || order.near.empty());
     contact.touches.clear();
     contact.reaction = {};
     for (const auto id : order.near) {
@@ -52,6 +56,7 @@ void add_contact(const RigidPlate& plate, const Points& points, const Order& ord
 }
 
 void advance_slip(const RigidPlate& plate, const Grid& grid, double dt, Contact& contact) {
+    SG_EXPECT(dt > 0);
     for (const Touch& t : contact.touches)
         contact.slip[static_cast<std::size_t>(t.point)] +=
             dt * along(t.face, velocity(grid, t.reach) - plate.velocity);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/contracts.hpp"
 #include "mpm/parallel_bands.hpp"
 #include "mpm/two_field.hpp"
 
@@ -44,6 +45,8 @@ Status count_outside(const Points& points, const GridShape& shape) {
 }  // namespace
 
 Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Points& points) {
+    SG_EXPECT(order.is_near.size() == points.size() && !order.stale);
+    SG_EXPECT(advance.dt > 0 && advance.pic >= 0 && advance.pic <= 1);
     std::atomic<bool> moved = false;
     const Motion* const motion = grid.fields[0].motion.data();
     for_bands(order, 0, 1, [&](std::span<const std::int32_t> ids) {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -54,6 +56,8 @@ void update_field(const GridStep& step, const GridShape& shape, const Factors& k
 }  // namespace
 
 void update_grid(const GridStep& step, Grid& grid) {
+    SG_EXPECT(step.dt > 0 && step.mass_scaling > 0);
+    SG_EXPECT(step.damping >= 0 && step.damping < 1);
     const Factors k = {step.dt,      step.gravity.x(),      step.gravity.y(),
                        step.damping, 1 / step.mass_scaling, mass_floor * grid.point_mass};
     for (Field& field : grid.fields) update_field(step, grid.shape, k, field);

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -60,11 +62,13 @@ void sort(Order& order, const Points& points, const GridShape& shape) {
 }  // namespace
 
 void refresh(Order& order, const Points& points, const Grid& grid) {
+    SG_EXPECT(points.half > 0 && points.half <= 0.5 * grid.shape.cell * (1 + 1e-12));
     const bool near_changed = mark_near(order, points, grid);
     if (!near_changed && !order.stale) return;
     require_inside(points, grid.shape);
     sort(order, points, grid.shape);
     order.stale = false;
+    SG_ENSURE(order.ids.size() + order.near.size() == points.size());
 }
 
 }  // namespace sandgraph::mpm

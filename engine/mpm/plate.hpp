@@ -1,5 +1,6 @@
 #pragma once
 #include "base/archive.hpp"
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
 #include "mpm/divide.hpp"
 #include "mpm/rectangle.hpp"
@@ -27,6 +28,7 @@ struct RigidPlate {
 
 // k_a = factor M / cell [Pa/m], M: P-wave modulus of the ground [Pa].
 inline double contact_stiffness(double factor, double p_wave_modulus, double cell) {
+    SG_EXPECT(factor > 0 && p_wave_modulus > 0 && cell > 0);
     return factor * p_wave_modulus / cell;
 }
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "base/contracts.hpp"
 #include "mpm/parallel_bands.hpp"
 #include "mpm/transfer_kernel.hpp"
 #include "mpm/two_field.hpp"
@@ -10,6 +11,8 @@ namespace sandgraph::mpm {
 
 void points_to_grid(const Points& points, const Order& order, Grid& grid) {
     if (order.stale) throw std::logic_error("points_to_grid: refresh the order of the points first");
+    SG_EXPECT(order.is_near.size() == points.size());
+    SG_EXPECT(grid.fields[0].nodes.size() == grid.shape.size());
     clear(grid);
     grid.point_mass = points.size() ? points.mass.front() : 0;
     Node* const nodes = grid.fields[0].nodes.data();

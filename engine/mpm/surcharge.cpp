@@ -1,10 +1,12 @@
 #include "mpm/surcharge.hpp"
 
+#include "base/contracts.hpp"
 #include "mpm/reach.hpp"
 
 namespace sandgraph::mpm {
 
 void add_surcharge(double q, const Points& points, Grid& grid) {
+    SG_EXPECT(q >= 0 && all_below(points.surface, points.size()));
     const GridShape& s = grid.shape;
     const double half = points.half;
     for (const auto id : points.surface) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -57,11 +59,13 @@ Reach reach_of(Face face, const Rectangle& domain, const Interval& ox, const Int
 }  // namespace
 
 Vec2 normal(Face face) {
+    SG_EXPECT(face != Face::none);
     if (horizontal(face)) return {0, face == Face::top ? 1 : -1};
     return {face == Face::right ? 1 : -1, 0};
 }
 
 Touch find_touch(const RigidPlate& plate, const Points& points, std::int32_t id, const Grid& grid) {
+    SG_EXPECT(id >= 0 && static_cast<std::size_t>(id) < points.size());
     const auto p = static_cast<std::size_t>(id);
     const double x = points.x[p], y = points.y[p], half = points.half;
     const Rectangle body = plate.rectangle(), domain = {x - half, y - half, x + half, y + half};
@@ -76,6 +80,7 @@ Touch find_touch(const RigidPlate& plate, const Points& points, std::int32_t id,
         best = {id, face, depth, length, {}};
     }
     if (best.face != Face::none) best.reach = reach_of(best.face, domain, ox, oy, grid, {x, y});
+    SG_ENSURE(best.face == Face::none || (best.penetration > 0 && best.length > 0));
     return best;
 }
 

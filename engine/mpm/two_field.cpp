@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "mpm/advance_point.hpp"
 #include "mpm/reach.hpp"
 
@@ -63,6 +64,7 @@ Reading read_point(std::size_t p, const Points& points, const Grid& grid) {
 }  // namespace
 
 void set_divide(Grid& grid, const Divide& divide, double half) {
+    SG_EXPECT(half > 0);
     Field& second = grid.fields[1];
     grid.divide = divide;
     grid.divide.margin = grid.shape.cell + half;
@@ -73,11 +75,13 @@ void set_divide(Grid& grid, const Divide& divide, double half) {
 }
 
 void scatter_divided(std::span<const std::int32_t> ids, const Points& points, Grid& grid) {
+    SG_EXPECT(all_below(ids, points.size()));
     for (const auto p : ids) scatter_point(static_cast<std::size_t>(p), points, grid);
 }
 
 void gather_divided(std::span<const std::int32_t> ids, const Grid& grid, const Advance& advance,
                     Points& points) {
+    SG_EXPECT(all_below(ids, points.size()));
     for (const auto p : ids) {
         const auto id = static_cast<std::size_t>(p);
         advance_point(read_point(id, points, grid), advance, id, points);

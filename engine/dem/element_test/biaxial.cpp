@@ -1,6 +1,6 @@
-#include <cassert>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "dem/element_test/sample.hpp"
 #include "dem/element_test/servo.hpp"
 
@@ -31,7 +31,8 @@ void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test)
 }  // namespace
 
 std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test) {
-    assert(test.axial_rate > 0 && test.sample_strain > 0);
+    SG_EXPECT(test.axial_rate > 0 && test.sample_strain > 0);
+    SG_EXPECT(test.confining_pressure > 0 && test.modulus > 0 && test.dt > 0);
     compress(assembly, {.pressure = test.confining_pressure,
                         .rate = test.axial_rate,
                         .modulus = test.modulus,

@@ -1,6 +1,6 @@
-#include <cassert>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "dem/element_test/sample.hpp"
 #include "dem/element_test/servo.hpp"
 
@@ -32,7 +32,8 @@ void shear(SampleOnStand& sample, StressServo& area, const ShearTest& test) {
 }  // namespace
 
 std::vector<ShearRow> run_shear(Assembly& assembly, const ShearTest& test) {
-    assert(test.rate > 0 && test.sample_strain > 0);
+    SG_EXPECT(test.rate > 0 && test.sample_strain > 0);
+    SG_EXPECT(test.pressure > 0 && test.modulus > 0 && test.dt > 0);
     compress(assembly, {.pressure = test.pressure,
                         .rate = test.rate,
                         .modulus = test.modulus,

@@ -2,9 +2,12 @@
 
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::dem {
 
 PeakStrength peak_strength(std::span<const BiaxialRow> rows, double strain) {
+    SG_EXPECT(strain > 0);
     PeakStrength peak;
     double largest = 0;
     for (const BiaxialRow& row : rows) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::dem {
 namespace {
 
@@ -31,16 +33,19 @@ std::vector<int> strip_order(const Packing& p) {
     std::vector<int> order(p.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place[a] < place[b]; });
+    SG_ENSURE(distinct_below(order, p.size()));
     return order;
 }
 
 std::vector<int> inverse_order(const std::vector<int>& order) {
+    SG_EXPECT(distinct_below(order, order.size()));
     std::vector<int> out(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) out[order[k]] = static_cast<int>(k);
     return out;
 }
 
 Packing reordered(const Packing& p, const std::vector<int>& order) {
+    SG_EXPECT(order.size() == p.size());
     const std::vector<int> place = inverse_order(order);
     Packing out = p;
     out.x = picked(p.x, order), out.y = picked(p.y, order), out.r = picked(p.r, order);

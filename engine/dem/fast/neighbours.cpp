@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/contracts.hpp"
 #include "dem/fast/state.hpp"
 
 namespace sandgraph::dem {
@@ -41,6 +42,8 @@ Wrapped wrap(const Mat2& H, const Mat2& H_inverse, double& x, double& y) {
 
 const std::vector<NearPair>& NeighbourSearch::find(const double* grains, int count, const Mat2& H,
                                                    double gap) {
+    SG_EXPECT(grains != nullptr && count >= 0 && gap >= 0);
+    SG_EXPECT(H.determinant() != 0);
     pairs_.clear();
     const double reach = 2 * largest_radius(grains, count) + gap;
     const double area = std::abs(H.determinant());

@@ -15,7 +15,7 @@ struct NearPair {
 // Linear-time search for near pairs in a periodic cell; reusable so that a search allocates nothing.
 class NeighbourSearch {
   public:
-    // All pairs with |x_j + H c - x_i| < r_i + r_j + gap, ordered by i. `grains` are records of the
+    // All pairs with |x_j + H c - x_i| < r_i + r_j + gap, each once, i <= j. `grains` are records of the
     // working state (fast_state.hpp), centres wrapped into the cell. Images c in {-1, 0, 1}^2.
     const std::vector<NearPair>& find(const double* grains, int count, const Mat2& H, double gap);
 

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::dem {
 namespace {
 
@@ -21,6 +23,7 @@ void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
 }  // namespace
 
 void resize_grains(FastState& s, int n) {
+    SG_EXPECT(n >= 0 && n <= kLargest);
     const int room = padded(n + 1);
     s.grains = n, s.masses_of.reset();
     s.record.assign(FastState::kRecord * room, 0), s.force.assign(4 * room, 0);
@@ -29,6 +32,9 @@ void resize_grains(FastState& s, int n) {
 }
 
 void load(const Packing& p, const Material& material, FastState& s) {
+    SG_EXPECT(p.y.size() == p.size() && p.r.size() == p.size());
+    SG_EXPECT(p.vx.empty() || (p.vx.size() == p.size() && p.vy.size() == p.size()));
+    SG_EXPECT(p.spin.empty() || p.spin.size() == p.size());
     const int n = static_cast<int>(p.size());
     if (n > kLargest) throw std::invalid_argument("the fast kernel takes at most 65,000 grains a packing");
     resize_grains(s, n);
@@ -39,6 +45,7 @@ void load(const Packing& p, const Material& material, FastState& s) {
 }
 
 void contact_history(const FastState& s, std::vector<Contact>& out) {
+    SG_EXPECT(static_cast<std::size_t>(s.slots) == s.tangential.size() && s.moment.size() == s.tangential.size());
     out.clear();
     for (int c = 0; c < s.slots; ++c) {
         if (s.tangential[c] == 0 && s.moment[c] == 0) continue;
@@ -57,6 +64,7 @@ Packing unload(const FastState& s) {
         p.r.push_back(a[4]), p.spin.push_back(a[6]);
     }
     contact_history(s, p.contacts);
+    SG_ENSURE(p.size() == static_cast<std::size_t>(s.grains));
     return p;
 }
 

@@ -1,10 +1,14 @@
 #include "dem/packing/cell_reduction.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
+
+#include "base/contracts.hpp"
 
 namespace sandgraph::dem {
 
 Reduction reduce_cell(const Mat2& H) {
+    SG_EXPECT(H.determinant() != 0);
     // Leave a cell alone until it is clearly skewed, so that noise does not flip it to and fro.
     constexpr double kHysteresis = 0.05;
     Reduction r;
@@ -25,6 +29,7 @@ Reduction reduce_cell(const Mat2& H) {
         r.identity = false;
     }
     r.U_inverse << r.U(1, 1), -r.U(0, 1), -r.U(1, 0), r.U(0, 0);  // det U = 1
+    SG_ENSURE(r.U * r.U_inverse == Eigen::Matrix2i::Identity());
     return r;
 }
 

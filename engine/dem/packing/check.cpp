@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "dem/reference/pairs.hpp"
 
@@ -84,6 +85,7 @@ void check_overlaps(const Packing& p, const PackingSource& s) {
 }  // namespace
 
 void check_packing(const Packing& p, const PackingSource& s) {
+    SG_EXPECT(p.y.size() == p.size() && p.r.size() == p.size());
     if (p.size() == 0)
         throw InputError({s.file, 0}, "no grains", "a packing needs at least one", "add rows id,x,y,r");
     check_cell(p, s);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
 #include "dem/material.hpp"
 
@@ -71,6 +72,7 @@ inline void roll(Touch& t, const PairConstants& c, double rotation, RollingForm 
 // Steps 2 to 5 for one pair over dt [s]; false when the pair does not touch (its memory is then gone).
 inline bool advance(Touch& t, const PairConstants& c, const PairMotion& m, double tan_phi, RollingForm form,
                     double dt) {
+    SG_EXPECT(dt > 0 && c.r_i > 0 && c.r_j > 0);
     const double distance = m.d.norm(), overlap = c.r_i + c.r_j - distance;
     if (t.touching ? overlap < 0 : overlap <= 0) return t = Touch{}, false;
     const Vec2 n = m.d / distance;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::dem {
 namespace {
 
@@ -85,6 +87,7 @@ struct Search {
 }  // namespace
 
 LatticeBasis reduce_lattice(const Mat2& H) {
+    SG_EXPECT(H.determinant() != 0);
     LatticeBasis out{H, Eigen::Matrix2i::Identity()};
     for (;;) {
         if (out.basis.col(0).squaredNorm() > out.basis.col(1).squaredNorm()) {
@@ -104,6 +107,7 @@ LatticeBasis reduce_lattice(const Mat2& H) {
 
 std::vector<PairKey> near_pairs(std::span<const Vec2> x, std::span<const double> r, const Mat2& H,
                                 double skin) {
+    SG_EXPECT(x.size() == r.size() && skin >= 0);
     std::vector<PairKey> pairs;
     if (x.empty()) return pairs;
     const Search search{x, r, H, reduce_lattice(H), skin};
@@ -111,6 +115,7 @@ std::vector<PairKey> near_pairs(std::span<const Vec2> x, std::span<const double>
     Bins bins = sort_grains(x, search.lattice.basis, cutoff);
     for (std::size_t i = 0; i < x.size(); ++i) search.around(static_cast<std::int32_t>(i), bins, pairs);
     std::sort(pairs.begin(), pairs.end());
+    SG_ENSURE(std::ranges::adjacent_find(pairs) == pairs.end());  // each once
     return pairs;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::dem {
 namespace {
 
@@ -23,6 +25,8 @@ ReferenceAssembly::ReferenceAssembly(const Packing& p, const Material& material)
       spin_(p.spin),
       torque_(p.size()),
       force_(p.size()) {
+    SG_EXPECT(p.size() > 0 && p.y.size() == p.size() && p.r.size() == p.size());
+    SG_EXPECT(p.vx.empty() || (p.vx.size() == p.size() && p.vy.size() == p.size()));
     spin_.resize(p.size(), 0.0);
     double r_sum = 0;
     for (std::size_t g = 0; g < p.size(); ++g) {
@@ -38,6 +42,7 @@ ReferenceAssembly::ReferenceAssembly(const Packing& p, const Material& material)
 }
 
 void ReferenceAssembly::step(const Mat2& L, double dt, int count) {
+    SG_EXPECT(dt > 0 && count >= 0);
     if (last_dt_ == 0) last_dt_ = dt;
     for (int k = 0; k < count; ++k) one_step(L, dt);
 }
@@ -158,6 +163,7 @@ Packing ReferenceAssembly::packing() const {
 }
 
 void ReferenceAssembly::set_friction(double tangent) {
+    SG_EXPECT(tangent >= 0);
     tan_phi_ = tangent;
     material_.friction_angle = std::atan(tangent);
 }
