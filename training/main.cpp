@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/console.hpp"
 #include "base/error.hpp"
 #include "training/train_command.hpp"
 
@@ -20,10 +21,10 @@ int main(int argc, char** argv) {
     try {
         return training::run(command);
     } catch (const InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        notice(error.what());
         return 2;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "sandgraph-train: {}\n", error.what());
+        notice(fmt::format("sandgraph-train: {}", error.what()));
         return 1;
     }
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/console.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "io/atomic_file.hpp"
@@ -68,7 +69,7 @@ int evaluate_only(const TrainingData& data, const std::string& file) {
     }
     std::vector<ErrorTable> tables;
     add_tables(data, law, Rung::learned, tables);
-    fmt::print("{}", error_text(tables));
+    tell(error_text(tables));
     return done;
 }
 
@@ -82,9 +83,9 @@ int run(const TrainCommand& command) {
     if (!command.probes.empty()) logs.push_back(command.probes);
     const TrainingData data = load_data(spec, logs);
     if (!command.evaluate.empty()) return evaluate_only(data, command.evaluate);
-    fmt::print(stderr, "histories: {} train, {} validate, {} held out with their seeds, {} of known seeds\n",
-               data.split.training.size(), data.split.validation.size(), data.split.new_seeds.size(),
-               data.split.known_seeds.size());
+    notice(fmt::format("histories: {} train, {} validate, {} held out with their seeds, {} of known seeds",
+                       data.split.training.size(), data.split.validation.size(), data.split.new_seeds.size(),
+                       data.split.known_seeds.size()));
     std::vector<ErrorTable> tables;
     std::optional<Trained> chosen;
     for (const Rung rung : rungs) {
@@ -102,8 +103,8 @@ int run(const TrainCommand& command) {
     io::write_text(beside(command.out, ".card.json"),
                    model_card(spec, data, *chosen, tables, again, SANDGRAPH_REVISION));
     io::write_text(beside(command.out, ".errors.csv"), error_csv(tables));
-    fmt::print("{}\n{}: {} epochs, {:.0f} s\n", error_text(tables), command.out, chosen->epochs,
-               chosen->seconds);
+    tell(fmt::format("{}\n{}: {} epochs, {:.0f} s\n", error_text(tables), command.out, chosen->epochs,
+                     chosen->seconds));
     for (const Rung rung : rungs) fs::remove(beside(command.out, fmt::format(".{}.state", name_of(rung))));
     return done;
 }

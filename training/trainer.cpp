@@ -4,11 +4,11 @@
 #include <torch/types.h>
 #include <torch/utils.h>
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "base/console.hpp"
 #include "base/contracts.hpp"
 #include "base/random.hpp"
 #include "io/atomic_file.hpp"
@@ -38,10 +38,6 @@ std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed, int epo
     for (std::size_t k = count; k > 1; --k)
         std::swap(order[k - 1], order[static_cast<std::size_t>(random.uniform(0, static_cast<double>(k)))]);
     return order;
-}
-
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -114,7 +110,7 @@ void Trainer::keep_better(const Tensor& error) {
 
 EpochReport Trainer::epoch(const Batches& training, const Batches& validation) {
     SG_EXPECT(!training.empty() && !validation.empty());
-    const double start = seconds();
+    const double start = wall_clock();
     const double turn = std::numbers::pi * epoch_ / std::max(1, options_.epochs - 1);
     const double rate = options_.rate_end + 0.5 * (options_.rate - options_.rate_end) * (1 + std::cos(turn));
     for (auto& group : adam_.param_groups())
@@ -126,7 +122,7 @@ EpochReport Trainer::epoch(const Batches& training, const Batches& validation) {
     keep_better(error);
     report.validation = error.mean().item<double>();
     report.best = best_error_.mean().item<double>();
-    report.seconds_left = (seconds() - start) * (options_.epochs - epoch_);
+    report.seconds_left = (wall_clock() - start) * (options_.epochs - epoch_);
     return report;
 }
 

@@ -12,6 +12,13 @@
 namespace sandgraph {
 namespace {
 
+std::vector<char*> argv_of(std::vector<std::string>& arguments) {
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    return argv;
+}
+
 // Only async-signal-safe calls: the parent may have threads.
 [[noreturn]] void become(char* const* argv, const char* folder, const char* messages) {
     const int in = ::open("/dev/null", O_RDONLY), out = ::open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0644);
@@ -26,9 +33,7 @@ namespace {
 int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
                 const std::filesystem::path& messages) {
     SG_EXPECT(!arguments.empty());
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
+    const std::vector<char*> argv = argv_of(arguments);
     const pid_t child = ::fork();
     if (child < 0)
         throw std::system_error(errno, std::generic_category(), "cannot start " + arguments.front());
@@ -38,6 +43,12 @@ int run_program(std::vector<std::string> arguments, const std::filesystem::path&
         if (errno != EINTR)
             throw std::system_error(errno, std::generic_category(), "cannot wait for " + arguments.front());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void become_program(std::vector<std::string> arguments) {
+    SG_EXPECT(!arguments.empty());
+    ::execv(arguments.front().c_str(), argv_of(arguments).data());
+    throw std::system_error(errno, std::generic_category(), arguments.front());
 }
 
 }  // namespace sandgraph

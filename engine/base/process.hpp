@@ -12,4 +12,8 @@ inline constexpr int program_missing = 127;
 int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
                 const std::filesystem::path& messages);
 
+// Goes on as another program, arguments[0] being its path, with the terminal and the process of this one.
+// Throws std::system_error when it cannot be started.
+[[noreturn]] void become_program(std::vector<std::string> arguments);
+
 }  // namespace sandgraph

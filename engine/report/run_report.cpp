@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "report/cross_scale.hpp"
 #include "report/html.hpp"
 #include "report/run_pictures.hpp"
@@ -132,16 +133,15 @@ std::string run_chapter(const results::FinishedRun& run, const fs::path& picture
     const std::string told = draw_pictures(pictures, run, frames_shown(run, options.frames_max));
     std::string html =
         fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p class=\"lead\">{0}, scene {2}, revision {3}</p>\n",
-                    report::escaped(run.folder.string()), report::escaped(results::title_of(run.scene)),
+                    xml_escaped(run.folder.string()), xml_escaped(results::title_of(run.scene)),
                     run.summary.scene_hash, run.summary.git);
     html += "<div class=\"grid\">\n" + report::table(result_rows(run)) + report::table(cost_rows(run));
     if (run.summary.mode == "screening") html += report::table(screening_rows(run));
     html += "</div>\n" + report::figure(pictures / "load.png", "Load against displacement");
     html += "<h3>Fields</h3>\n" + field_figures(run, pictures);
     html += cross_scale_chapter(run, pictures, options.critical);
-    if (told.starts_with("no pictures")) html += "<p class=\"missing\">" + report::escaped(told) + "</p>\n";
-    return html +
-           report::details("Scene", "<pre>" + report::escaped(run.record.info.scene_text) + "</pre>\n");
+    if (told.starts_with("no pictures")) html += "<p class=\"missing\">" + xml_escaped(told) + "</p>\n";
+    return html + report::details("Scene", "<pre>" + xml_escaped(run.record.info.scene_text) + "</pre>\n");
 }
 
 }  // namespace sandgraph::report
