@@ -10,7 +10,8 @@
 namespace sandgraph::mpm {
 namespace {
 
-// Lighter nodes are at rest: a weight of 1e-14 is round-off of a point's reach, its velocity would be noise.
+// Lighter nodes are at rest: a weight of 1e-14 is round-off at the end of a stencil, its velocity would be
+// noise.
 constexpr double mass_floor = 1e-14;
 
 struct Factors {

@@ -2,7 +2,7 @@
 #include "base/archive.hpp"
 #include "base/contracts.hpp"
 #include "base/tensor.hpp"
-#include "mpm/divide.hpp"
+#include "mpm/enrichment.hpp"
 #include "mpm/rectangle.hpp"
 
 namespace sandgraph::mpm {
@@ -33,7 +33,7 @@ inline double contact_stiffness(double factor, double p_wave_modulus, double cel
 }
 
 // The mid-plane along the plate's long side.
-Divide divide_of(const RigidPlate& plate);
+Enrichment enrichment_of(const RigidPlate& plate);
 
 // Moves the centre by dt velocity.
 void advance(RigidPlate& plate, double dt);

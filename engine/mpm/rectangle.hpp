@@ -11,4 +11,10 @@ inline Rectangle inflated(const Rectangle& r, double by) {
     return {r.x0 - by, r.y0 - by, r.x1 + by, r.y1 + by};
 }
 
+// Nodes [i0, i1] x [j0, j1]; empty if i1 < i0.
+struct NodeBox {
+    int i0 = 0, j0 = 0, i1 = -1, j1 = -1;
+    bool empty() const { return i1 < i0 || j1 < j0; }
+};
+
 }  // namespace sandgraph::mpm

@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "mpm/audit.hpp"
+#include "mpm/boundary.hpp"
 #include "mpm/contact.hpp"
-#include "mpm/grid_to_points.hpp"
 #include "mpm/grid_update.hpp"
-#include "mpm/points_to_grid.hpp"
-#include "mpm/surcharge.hpp"
+#include "mpm/transfer.hpp"
 #include "mpm/two_field.hpp"
 #include "stress/law.hpp"
 
@@ -43,7 +42,7 @@ struct MacroModel {
 
     // Everything up to the grid's motion: the unbalanced forces are in the nodes afterwards.
     void load_grid() {
-        if (plate) mpm::set_divide(grid, mpm::divide_of(*plate), points.half);
+        if (plate) mpm::set_enrichment(grid, mpm::enrichment_of(*plate), points.half);
         mpm::refresh(order, points, grid);
         mpm::points_to_grid(points, order, grid);
         if (surcharge != 0) mpm::add_surcharge(surcharge, points, grid);

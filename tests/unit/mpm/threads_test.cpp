@@ -3,9 +3,8 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "mpm/contact.hpp"
-#include "mpm/grid_to_points.hpp"
 #include "mpm/grid_update.hpp"
-#include "mpm/points_to_grid.hpp"
+#include "mpm/transfer.hpp"
 #include "mpm/two_field.hpp"
 #include "tests/support/random_ground.hpp"
 
@@ -21,7 +20,7 @@ Points run() {
     Order order;
     const GridStep update{1e-4, {0, -9.81}, 0.05, 1, {Side::mirror, Side::mirror, Side::fixed, Side::free}};
     for (int k = 0; k < 40; ++k) {
-        set_divide(grid, divide_of(plate), points.half);
+        set_enrichment(grid, enrichment_of(plate), points.half);
         refresh(order, points, grid);
         points_to_grid(points, order, grid);
         add_contact(plate, points, order, grid, contact);

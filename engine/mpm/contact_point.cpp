@@ -1,4 +1,4 @@
-#include "mpm/touch.hpp"
+#include "mpm/contact_point.hpp"
 
 #include <algorithm>
 
@@ -45,15 +45,15 @@ double face_height(Face face, const Rectangle& body, const Interval& y) {
     return 0.5 * (y.low + y.high);
 }
 
-Reach reach_of(Face face, const Rectangle& domain, const Interval& ox, const Interval& oy, const Grid& grid,
-               const Vec2& centre) {
+Stencil stencil_of(Face face, const Rectangle& domain, const Interval& ox, const Interval& oy,
+                   const Grid& grid, const Vec2& centre) {
     const GridShape& s = grid.shape;
     const double edge_x = face == Face::left ? domain.x1 : domain.x0;
     const double edge_y = face == Face::bottom ? domain.y1 : domain.y0;
     const bool flat = horizontal(face);
     const Weights x = flat ? average(ox.low - s.x0, ox.high - s.x0, s.cell) : at(edge_x - s.x0, s.cell);
     const Weights y = flat ? at(edge_y - s.y0, s.cell) : average(oy.low - s.y0, oy.high - s.y0, s.cell);
-    return reach(grid, x, y, centre.x(), centre.y());
+    return stencil(grid, x, y, centre.x(), centre.y());
 }
 
 }  // namespace
@@ -64,14 +64,15 @@ Vec2 normal(Face face) {
     return {face == Face::right ? 1 : -1, 0};
 }
 
-Touch find_touch(const RigidPlate& plate, const Points& points, std::int32_t id, const Grid& grid) {
+ContactPoint find_contact_point(const RigidPlate& plate, const Points& points, std::int32_t id,
+                                const Grid& grid) {
     SG_EXPECT(id >= 0 && static_cast<std::size_t>(id) < points.size());
     const auto p = static_cast<std::size_t>(id);
     const double x = points.x[p], y = points.y[p], half = points.half;
     const Rectangle body = plate.rectangle(), domain = {x - half, y - half, x + half, y + half};
     const Interval ox = overlap(domain.x0, domain.x1, body.x0, body.x1);
     const Interval oy = overlap(domain.y0, domain.y1, body.y0, body.y1);
-    Touch best{id, Face::none, 0, 0, {}};
+    ContactPoint best{id, Face::none, 0, 0, {}};
     for (const Face face : {Face::top, Face::bottom, Face::left, Face::right}) {
         const double length = horizontal(face) ? ox.length() : oy.length();
         const double depth = penetration(face, plate, body, domain, face_height(face, body, oy));
@@ -79,7 +80,7 @@ Touch find_touch(const RigidPlate& plate, const Points& points, std::int32_t id,
         if (length <= shortest * half || (best.face != Face::none && depth >= best.penetration)) continue;
         best = {id, face, depth, length, {}};
     }
-    if (best.face != Face::none) best.reach = reach_of(best.face, domain, ox, oy, grid, {x, y});
+    if (best.face != Face::none) best.stencil = stencil_of(best.face, domain, ox, oy, grid, {x, y});
     SG_ENSURE(best.face == Face::none || (best.penetration > 0 && best.length > 0));
     return best;
 }

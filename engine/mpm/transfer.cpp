@@ -1,10 +1,12 @@
-#include "mpm/grid_to_points.hpp"
+#include "mpm/transfer.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
 
 #include "base/contracts.hpp"
 #include "mpm/parallel_bands.hpp"
+#include "mpm/transfer_kernel.hpp"
 #include "mpm/two_field.hpp"
 
 namespace sandgraph::mpm {
@@ -44,6 +46,19 @@ Status count_outside(const Points& points, const GridShape& shape) {
 
 }  // namespace
 
+void points_to_grid(const Points& points, const Order& order, Grid& grid) {
+    if (order.stale) throw std::logic_error("points_to_grid: refresh the order of the points first");
+    SG_EXPECT(order.is_near.size() == points.size());
+    SG_EXPECT(grid.fields[0].nodes.size() == grid.shape.size());
+    clear(grid);
+    grid.point_mass = points.size() ? points.mass.front() : 0;
+    Node* const nodes = grid.fields[0].nodes.data();
+    const auto add = [&](std::span<const std::int32_t> ids) { scatter(ids, points, grid.shape, nodes); };
+    for_bands(order, 0, 2, add);
+    for_bands(order, 1, 2, add);
+    scatter_enriched(order.near, points, grid);
+}
+
 Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Points& points) {
     SG_EXPECT(order.is_near.size() == points.size() && !order.stale);
     SG_EXPECT(advance.dt > 0 && advance.pic >= 0 && advance.pic <= 1);
@@ -54,7 +69,7 @@ Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Po
         gather(ids, grid.shape, motion, advance, points);
         if (moved_on(before, ids, points, grid.shape)) moved.store(true, std::memory_order_relaxed);
     });
-    gather_divided(order.near, grid, advance, points);
+    gather_enriched(order.near, grid, advance, points);
     if (any_outside(order.near, points, grid.shape)) moved = true;
     order.stale = moved;
     return moved ? count_outside(points, grid.shape) : Status{};
