@@ -42,7 +42,7 @@ void pack(const StateLayout& layout, const PointState& point, std::span<double> 
     v[layout.fabric] = point.fabric.real();
     v[layout.fabric + 1] = point.fabric.imag();
     const PointConstants& c = point.constants;
-    const double constants[] = {c.pressure, c.void_ratio, c.bulk, c.shear, c.coordination, c.strength};
+    const double constants[] = {c.pressure, c.void_ratio, c.bulk, c.shear, c.coordination, c.peak_friction};
     std::copy(std::begin(constants), std::end(constants), v.subspan(layout.constants).begin());
     for (std::size_t m = 0; m < layout.members; ++m)
         pack_member(point.members[m], v.subspan(layout.member(m), layout.member_size()));

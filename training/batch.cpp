@@ -75,7 +75,7 @@ void fill_constants(Batch& batch, std::span<const CutHistory> histories) {
     batch.K0 = of(&PackingTraits::bulk);
     batch.G0 = of(&PackingTraits::shear);
     batch.Z0 = of(&PackingTraits::coordination);
-    batch.sin_phi = of(&PackingTraits::strength);
+    batch.sin_phi = of(&PackingTraits::peak_friction);
     const torch::Tensor n = of(&PackingTraits::porosity);
     batch.e0 = n / (1 - n);
     batch.fabric = torch::stack({of(&PackingTraits::fabric_xx), of(&PackingTraits::fabric_xy)}, 1);
@@ -87,7 +87,8 @@ void fill_constants(Batch& batch, std::span<const CutHistory> histories) {
 
 Batch make_batch(std::span<const CutHistory> histories, torch::Dtype type) {
     SG_EXPECT(!histories.empty());
-    SG_EXPECT(std::ranges::all_of(histories, [](const CutHistory& h) { return h.start && !h.steps.empty(); }));
+    SG_EXPECT(
+        std::ranges::all_of(histories, [](const CutHistory& h) { return h.start && !h.steps.empty(); }));
     std::size_t length = 0;
     for (const CutHistory& h : histories) length = std::max(length, h.steps.size());
     Batch batch;

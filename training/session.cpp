@@ -6,12 +6,12 @@
 
 #include "base/console.hpp"
 #include "base/hash.hpp"
-#include "base/interrupt.hpp"
+#include "base/process.hpp"
 #include "surrogate/model_file.hpp"
+#include "training/baselines.hpp"
 #include "training/element_law.hpp"
 #include "training/export_model.hpp"
-#include "training/known_traits.hpp"
-#include "training/make_law.hpp"
+#include "training/split.hpp"
 
 namespace sandgraph::training {
 namespace {

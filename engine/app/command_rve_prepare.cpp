@@ -9,7 +9,6 @@
 #include "dem/packing/csv.hpp"
 #include "io/atomic_file.hpp"
 #include "io/packing_file.hpp"
-#include "io/writable.hpp"
 #include "packings/prepare_packing.hpp"
 #include "packings/rve_options.hpp"
 #include "scene/recipe_spec.hpp"

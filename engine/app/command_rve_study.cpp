@@ -9,7 +9,6 @@
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
-#include "io/writable.hpp"
 #include "laboratory/study_table.hpp"
 #include "report/study_picture.hpp"
 

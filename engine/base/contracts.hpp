@@ -12,10 +12,9 @@
 #define SANDGRAPH_CONTRACTS 0
 #endif
 
-#define SG_CONTRACT_CHECKED(kind, ...) \
-    (static_cast<bool>(__VA_ARGS__)    \
-         ? static_cast<void>(0)        \
-         : ::sandgraph::broken_contract(kind, #__VA_ARGS__, __FILE__, __LINE__))
+#define SG_CONTRACT_CHECKED(kind, ...)                     \
+    (static_cast<bool>(__VA_ARGS__) ? static_cast<void>(0) \
+                                    : ::sandgraph::broken_contract(kind, #__VA_ARGS__, __FILE__, __LINE__))
 #define SG_CONTRACT_IGNORED(...) static_cast<void>(sizeof(static_cast<bool>(__VA_ARGS__)))
 
 #if SANDGRAPH_CONTRACTS
@@ -28,7 +27,7 @@
 
 namespace sandgraph {
 
-// Prints "file:line: precondition broken: condition" to stderr and aborts.
+// Prints "file:line: precondition broken: condition" to stderr and aborts (console.cpp).
 [[noreturn]] void broken_contract(const char* kind, const char* condition, const char* file, int line);
 
 // For contracts on lists of indices: each is in [0, end).

@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <system_error>
 
 #include "base/contracts.hpp"
@@ -28,6 +30,16 @@ std::vector<char*> argv_of(std::vector<std::string>& arguments) {
     ::_exit(errno == ENOENT ? program_missing : 126);
 }
 
+std::atomic<bool> asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void on_signal(int signal) {
+    if (asked.exchange(true)) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
+
 }  // namespace
 
 int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
@@ -49,6 +61,17 @@ void become_program(std::vector<std::string> arguments) {
     SG_EXPECT(!arguments.empty());
     ::execv(arguments.front().c_str(), argv_of(arguments).data());
     throw std::system_error(errno, std::generic_category(), arguments.front());
+}
+
+void catch_interrupts() {
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+}
+
+bool interrupted() { return asked.load(); }
+
+void stop_if_interrupted() {
+    if (interrupted()) throw Interrupted();
 }
 
 }  // namespace sandgraph

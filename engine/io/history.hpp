@@ -107,4 +107,7 @@ const char* name(Enum value) {
     return names(value)[static_cast<std::size_t>(value)];
 }
 
+// Counts for people: packings by density, histories and updates by path, twins.
+std::string history_overview(const HistoryLog& log);
+
 }  // namespace sandgraph::io

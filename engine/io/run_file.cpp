@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
-#include "io/frame_group.hpp"
+#include "io/frame.hpp"
 #include "io/h5_file.hpp"
 #include "io/history_journal.hpp"
 #include "io/xdmf.hpp"

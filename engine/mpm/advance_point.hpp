@@ -3,7 +3,6 @@
 
 #include "base/contracts.hpp"
 #include "mpm/points.hpp"
-#include "mpm/points.hpp"
 
 namespace sandgraph::mpm {
 

@@ -2,6 +2,7 @@
 
 namespace sandgraph::mpm {
 
+// A piece of the plane, sides along x and y; its edges do not belong to it.
 struct Rectangle {
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // [m]
     bool contains(double x, double y) const { return x > x0 && x < x1 && y > y0 && y < y1; }

@@ -8,7 +8,7 @@
 namespace sandgraph::mpm {
 
 // Moves the cut with the plate and sizes the second field around it. Before the points' order is refreshed.
-// `half`: of the points' domains [m].
+// `half`: of the points' domains [m]. Without an active cut no node is enriched.
 void set_enrichment(Grid& grid, const Enrichment& enrichment, double half);
 
 // The transfers of transfer_kernel.hpp for the few points near the cut, each node in its field; in id

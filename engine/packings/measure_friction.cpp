@@ -5,7 +5,6 @@
 #include <array>
 
 #include "dem/element_test/element_test.hpp"
-#include "dem/element_test/strength.hpp"
 #include "packings/packing_cache.hpp"
 #include "packings/prepare_packing.hpp"
 #include "packings/rve_options.hpp"
@@ -17,13 +16,13 @@ constexpr std::array<double, 3> kPressures = {32e3, 64e3, 128e3};  // [Pa]
 constexpr double kStrain = 0.1;
 
 double run_tests(const dem::Packing& packing, const dem::Material& material) {
-    std::array<dem::PeakStrength, 3> peaks;
+    std::array<dem::PeakFriction, 3> peaks;
     tbb::parallel_for(std::size_t{0}, peaks.size(), [&](std::size_t k) {
         const auto sample = fast_assemblies()(packing, material);
         dem::BiaxialTest test{.confining_pressure = kPressures[k], .axial_strain = kStrain};
         test.modulus = dem::typical_modulus(packing, material);
         test.dt = preparation_time_step(material, packing.r);
-        peaks[k] = dem::peak_strength(dem::run_biaxial(*sample, test), kStrain);
+        peaks[k] = dem::peak_friction(dem::run_biaxial(*sample, test), kStrain);
     });
     return dem::friction_angle(peaks);
 }

@@ -1,6 +1,5 @@
 #pragma once
 #include "dem/prepare/prepare.hpp"
-#include "dem/prepare/recipe.hpp"
 #include "scene/scene.hpp"
 
 namespace sandgraph::packings {

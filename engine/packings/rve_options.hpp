@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "dem/rve_options.hpp"
+#include "dem/rve.hpp"
 #include "scene/scene.hpp"
 
 namespace sandgraph::packings {

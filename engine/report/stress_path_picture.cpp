@@ -4,8 +4,8 @@
 #include <array>
 
 #include "base/csv.hpp"
+#include "report/colour_scale.hpp"
 #include "report/region_picture.hpp"
-#include "report/series_colour.hpp"
 
 namespace sandgraph::report {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "base/console.hpp"
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
+#include "base/process.hpp"
+#include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
-#include "io/writable.hpp"
 #include "io/xdmf.hpp"
 #include "results/run_summary.hpp"
 #include "simulation/build_screening.hpp"

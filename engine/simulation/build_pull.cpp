@@ -93,7 +93,7 @@ graph::StepSettings settings_of(const scene::Scene& scene, const packings::Prepa
     return s;
 }
 
-// Faster than that, touches come and go between two looks at them.
+// Faster than that, contacts come and go between two looks at them.
 void require_slow_plate(const scene::Scene& scene, double dt) {
     constexpr double most = 0.01;  // cells a step; the paper's rate takes 1e-4
     const double cells = scene.anchor.pull_rate * dt / scene.domain.cell;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "dem/packing/observe.hpp"
+#include "dem/rve.hpp"
 #include "graph/pull.hpp"
 
 namespace sandgraph::simulation {

@@ -7,7 +7,7 @@
 #include "base/console.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "base/interrupt.hpp"
+#include "base/process.hpp"
 #include "base/revision.hpp"
 #include "io/checkpoint.hpp"
 #include "scene/scene_hash.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/contracts.hpp"
-#include "stress/elastic_constants.hpp"
+#include "stress/elastic.hpp"
 #include "stress/increment.hpp"
 
 namespace sandgraph::stress {

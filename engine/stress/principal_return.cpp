@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/contracts.hpp"
-#include "stress/elastic_constants.hpp"
+#include "stress/elastic.hpp"
 
 namespace sandgraph::stress {
 namespace {

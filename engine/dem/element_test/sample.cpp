@@ -4,7 +4,7 @@
 
 #include "base/contracts.hpp"
 #include "base/error.hpp"
-#include "dem/packing/crushed.hpp"
+#include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem {
 

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "base/contracts.hpp"
-#include "dem/fast/grain_order.hpp"
 #include "dem/fast/packing.hpp"
 #include "dem/packing/observe.hpp"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/contracts.hpp"
+#include "dem/fast/neighbours.hpp"
 #include "dem/fast/packing.hpp"
-#include "dem/packing/cell_reduction.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -29,7 +29,7 @@ void wrap_grains(FastState& s, std::vector<Wrapped>& moved) {
     }
 }
 
-// Padding pairs join the padding grain with its far image (1, 1), which no force reaches.
+// Padding pairs join the padding grain with its far image (1, 1), too far for a force.
 void pad(FastState& s, int slot) {
     s.i[slot] = s.j[slot] = static_cast<std::uint16_t>(s.grains);
     s.image[slot] = 8;

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "base/csv.hpp"
-#include "dem/packing/check.hpp"
+#include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem {
 namespace {

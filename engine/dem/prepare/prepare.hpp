@@ -1,12 +1,26 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <memory>
 
 #include "base/console.hpp"
 #include "dem/assembly.hpp"
-#include "dem/prepare/recipe.hpp"
 
 namespace sandgraph::dem {
+
+// How a base packing is made: a gas of disks, compressed isotropically with changed friction to the target
+// porosity, then rebalanced with the real friction (Liang et al. 2021, sec. 4; stages as in the YADE files).
+struct Recipe {
+    std::uint64_t seed = 1;
+    int grains = 400;
+    double r_min = 0.003, r_max = 0.007;  // radii uniform between [m]
+    double pressure = 10e3;               // consolidation pressure [Pa]
+    double porosity = 0.16;               // target at that pressure: 0.16 dense, 0.20 loose
+    double tolerance = 0.002;             // on the porosity, absolute
+    double gas_porosity = 0.45;           // of the gas before compression
+    double rate = 1;   // largest normal strain rate [1/s]; up to 4 /s the porosity is the same
+    double dt = 1e-5;  // [s]
+};
 
 // Makes the assembly that does the work, so that any kernel can prepare packings.
 using AssemblyFactory = std::function<std::unique_ptr<Assembly>(const Packing&, const Material&)>;
@@ -23,7 +37,7 @@ struct Prepared {
 Prepared prepare(const Recipe& recipe, const Material& material, const AssemblyFactory& factory,
                  const ProgressCallback& progress = {});
 
-// Disks that do not touch, placed at random, largest first; `attempt` draws another gas of the same grains.
+// Disks without contacts, placed at random, largest first; `attempt` draws another gas of the same grains.
 Packing random_gas(const Recipe& recipe, int attempt = 0);
 
 // The same grains at another isotropic pressure [Pa], up or down: both normal stresses within `tolerance`

@@ -14,9 +14,9 @@ using Cell = Eigen::Vector2i;
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-// Grains sorted into bins of the reduced cell; bins are at least as wide as needed for `reach` bins a side.
+// Grains sorted into bins of the reduced cell; bins are at least as wide as needed for `range` bins a side.
 struct Bins {
-    Cell count, reach;
+    Cell count, range;
     std::vector<Cell> bin_of, image_of;  // by grain: its bin, and the lattice cell it lies in
     std::vector<std::vector<std::int32_t>> members;
 
@@ -30,7 +30,7 @@ void size_bins(Bins& bins, const Mat2& basis, double cutoff, std::size_t grains)
     for (int k = 0; k < 2; ++k) {
         const double height = basis.determinant() / basis.col(1 - k).norm();
         bins.count[k] = std::clamp(static_cast<int>(std::min(height / cutoff, 1e6)), 1, most);
-        bins.reach[k] = static_cast<int>(std::ceil(cutoff * bins.count[k] / height));
+        bins.range[k] = static_cast<int>(std::ceil(cutoff * bins.count[k] / height));
     }
     bins.members.resize(static_cast<std::size_t>(bins.count.prod()));
 }
@@ -69,12 +69,12 @@ struct Search {
         const PairKey key{i, j, static_cast<std::int16_t>(c.x()), static_cast<std::int16_t>(c.y())};
         if (!counted_once(key)) return;
         const Vec2 d = x[j] + H * c.cast<double>() - x[i];
-        const double reach = r[i] + r[j] + skin;
-        if (d.squaredNorm() < reach * reach) out.push_back(key);
+        const double cutoff = r[i] + r[j] + skin;
+        if (d.squaredNorm() < cutoff * cutoff) out.push_back(key);
     }
     void around(std::int32_t i, Bins& bins, std::vector<PairKey>& out) const {
-        for (int b = -bins.reach.y(); b <= bins.reach.y(); ++b)
-            for (int a = -bins.reach.x(); a <= bins.reach.x(); ++a) {
+        for (int b = -bins.range.y(); b <= bins.range.y(); ++b)
+            for (int a = -bins.range.x(); a <= bins.range.x(); ++a) {
                 const Cell raw = bins.bin_of[i] + Cell(a, b);
                 const Cell image(floor_div(raw.x(), bins.count.x()), floor_div(raw.y(), bins.count.y()));
                 const Cell home = raw - image.cwiseProduct(bins.count);

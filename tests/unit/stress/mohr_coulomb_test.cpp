@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/random.hpp"
-#include "stress/elastic_constants.hpp"
+#include "stress/elastic.hpp"
 #include "tests/support/memory_archive.hpp"
 
 namespace sandgraph::stress {

@@ -1,10 +1,10 @@
-#include "training/mlp_law.hpp"
+#include "training/baselines.hpp"
 
 #include <torch/types.h>
 
 #include <array>
 
-#include "training/baseline_input.hpp"
+#include "training/element_law.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -47,6 +47,17 @@ Tensor rest_input(const Batch& batch) {
     return torch::cat({still, e, packing_input(batch).unsqueeze(0)}, 2);
 }
 
+using torch::Tensor;
+
+constexpr std::int64_t hidden = 32, in = 3 + packing_inputs;
+constexpr double strain_unit = 2e-4;
+
+// [T, B, in]
+Tensor input(const Batch& batch) {
+    const Tensor strain = torch::cat({batch.dv.unsqueeze(2), batch.de}, 2) / strain_unit;
+    return torch::cat({strain, packing_input(batch).expand({batch.steps(), -1, -1})}, 2);
+}
+
 }  // namespace
 
 MlpLaw::MlpLaw(std::int64_t members, std::uint64_t seed) {
@@ -68,6 +79,61 @@ Tensor MlpLaw::answer(const Tensor& x) const {
 
 Prediction MlpLaw::rollout(const Batch& batch) const {
     return baseline_stress(answer(input(batch)) - answer(rest_input(batch)), batch);
+}
+
+GruLaw::GruLaw(std::int64_t members, std::uint64_t seed) {
+    torch::manual_seed(seed);
+    W = register_parameter("W", layer_weights(members, in, 3 * hidden, 1));
+    U = register_parameter("U", layer_weights(members, hidden, 3 * hidden, 1));
+    V = register_parameter("V", layer_weights(members, hidden, 3, 0.1));
+    b = register_parameter("b", torch::zeros({members, 1, 3 * hidden}, torch::kDouble));
+}
+
+Prediction GruLaw::rollout(const Batch& batch) const {
+    const std::int64_t E = members(), T = batch.steps(), B = batch.size();
+    const Tensor flat = input(batch).flatten(0, 1).expand({E, -1, -1});
+    const Tensor driven = torch::baddbmm(b, flat, W).reshape({E, T, B, 3 * hidden}).transpose(0, 1);
+    Tensor h = torch::zeros({E, B, hidden}, batch.dv.options());
+    std::vector<Tensor> states;
+    for (std::int64_t t = 0; t < T; ++t) {
+        const Tensor recurrent = torch::bmm(h, U), x = driven[t];
+        const Tensor gates = torch::sigmoid(x.narrow(2, 0, 2 * hidden) + recurrent.narrow(2, 0, 2 * hidden));
+        const Tensor keep = gates.narrow(2, hidden, hidden);
+        const Tensor fresh =
+            torch::tanh(x.narrow(2, 2 * hidden, hidden) +
+                        gates.narrow(2, 0, hidden) * recurrent.narrow(2, 2 * hidden, hidden));
+        states.push_back(h = keep * h + (1 - keep) * fresh);
+    }
+    return baseline_stress(torch::matmul(torch::stack(states), V), batch);
+}
+
+using torch::Tensor;
+
+Tensor packing_input(const Batch& batch) {
+    return torch::stack(
+        {(batch.p0 / 10e3).log() / 3, ((batch.K0 / batch.p0).log() - 6) / 2,
+         ((batch.G0 / batch.p0).log() - 6) / 2, (batch.e0 - 0.22) / 0.04, (batch.Z0 - 3.5) / 0.5,
+         batch.s0.select(1, 0) / batch.p0, batch.s0.select(1, 1) / batch.p0},
+        1);
+}
+
+// The mean stress by its logarithm, so that it stays positive; the deviator as a share of it.
+Prediction baseline_stress(const Tensor& change, const Batch& batch) {
+    const Tensor p = batch.p0 * change.select(3, 0).clamp(-6, 6).exp();
+    const Tensor ratio = (batch.s0 / batch.p0.unsqueeze(1)) + change.narrow(3, 1, 2);
+    return {p, p.unsqueeze(3) * ratio, {}};
+}
+
+std::shared_ptr<Law> make_law(Rung rung, std::int64_t members, std::uint64_t seed, torch::Dtype type) {
+    std::shared_ptr<Law> law;
+    if (rung == Rung::mlp)
+        law = std::make_shared<MlpLaw>(members, seed);
+    else if (rung == Rung::gru)
+        law = std::make_shared<GruLaw>(members, seed);
+    else
+        law = std::make_shared<ElementLaw>(rung, members, seed);
+    law->to(type);
+    return law;
 }
 
 }  // namespace sandgraph::training

@@ -1,4 +1,4 @@
-#include "io/frame_group.hpp"
+#include "io/frame.hpp"
 
 #include <fmt/format.h>
 
