@@ -48,7 +48,7 @@ std::uint64_t contact_of(const GroundState& s) {
     Hasher hash;
     add(hash, s.contact.slip), add(hash, s.contact.face);
     for (const Vec2& force : s.contact.reaction.on) add(hash, force.x()), add(hash, force.y());
-    for (const mpm::Touch& t : s.contact.touches)
+    for (const mpm::ContactPoint& t : s.contact.points)
         add(hash, t.point), add(hash, t.penetration), add(hash, t.length);
     return hash.value();
 }
