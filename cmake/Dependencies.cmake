@@ -1,5 +1,7 @@
 # Every dependency is a Debian package; the launcher script lists the package names.
 option(SANDGRAPH_TESTS "Build the tests and benchmarks" ON)
+string(COMPARE EQUAL "${CMAKE_BUILD_TYPE}" Debug debug_build)
+option(SANDGRAPH_CONTRACTS "Check SG_EXPECT and SG_ENSURE (base/contracts.hpp)" ${debug_build})
 set(SANDGRAPH_SANITIZE "" CACHE STRING "Sanitizers passed to -fsanitize= (empty: none)")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

@@ -5,6 +5,9 @@ target_compile_options(sandgraph_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-vi
                        -ffp-contract=off)
 target_include_directories(sandgraph_flags INTERFACE ${CMAKE_SOURCE_DIR}/engine ${CMAKE_SOURCE_DIR})
 target_compile_definitions(sandgraph_flags INTERFACE EIGEN_MPL2_ONLY)
+if(SANDGRAPH_CONTRACTS)
+  target_compile_definitions(sandgraph_flags INTERFACE SANDGRAPH_CONTRACTS=1)
+endif()
 if(SANDGRAPH_SANITIZE)
   target_compile_options(sandgraph_flags INTERFACE -fsanitize=${SANDGRAPH_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)

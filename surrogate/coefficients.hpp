@@ -3,8 +3,12 @@
 #include <vector>
 
 #include "surrogate/features.hpp"
+#include "surrogate/model.hpp"
 
 namespace sandgraph::surrogate {
+
+// Output of the layers for the input x: tanh after each but the last.
+std::vector<double> forward(std::span<const Layer> layers, std::span<const double> x);
 
 // Friction limit of the elastic rung, over the element's share.
 inline constexpr double never_slips = 1e9;

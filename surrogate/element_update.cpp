@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::surrogate {
 namespace {
 
@@ -31,6 +33,8 @@ MemberState return_map(const MemberState& state, const Coefficients& c, std::spa
                        Deviator de, double dv, double p_min) {
     MemberState next = state;
     const std::size_t M = state.elements.size();
+    SG_EXPECT(share.size() == M && c.shear.size() == M && c.strength.size() == M && c.dilatancy.size() == M);
+    SG_EXPECT(p_min > 0);
     std::vector<double> trial(M);
     for (std::size_t k = 0; k < M; ++k) {
         next.elements[k] += 2 * c.shear[k] * de;
@@ -42,6 +46,7 @@ MemberState return_map(const MemberState& state, const Coefficients& c, std::spa
         next.gamma += share[k] * std::max(trial[k] - limit, 0.0) / (2 * c.shear[k]);
         next.elements[k] *= std::min(1.0, limit / trial[k]);
     }
+    SG_ENSURE(!(next.p < p_min) && !(next.gamma < state.gamma));
     return next;
 }
 

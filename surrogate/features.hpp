@@ -18,7 +18,7 @@ using Features = std::array<double, feature_count>;
 struct PointConstants {
     double pressure = 0, void_ratio = 0;  // p0 [Pa], e0 = n/(1 - n)
     double bulk = 0, shear = 0;           // K0, G0 [Pa]
-    double coordination = 0, strength = 0;
+    double coordination = 0, peak_friction = 0;
 };
 
 inline constexpr std::array<const char*, feature_count> feature_names{
@@ -39,7 +39,7 @@ inline Features features(const PointConstants& c, double p, double volume, Devia
             std::log(c.pressure / 1e4) / 3,
             (c.void_ratio - 0.22) / 0.04,
             (c.coordination - 3.5) / 0.5,
-            (c.strength - 0.5) / 0.1,
+            (c.peak_friction - 0.5) / 0.1,
             (fabric.real() * s.real() + fabric.imag() * s.imag()) / (0.1 * p)};
 }
 

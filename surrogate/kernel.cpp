@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "base/contracts.hpp"
 #include "surrogate/kernel_block-inl.hpp"
 
 #if HWY_ONCE
@@ -15,6 +16,8 @@ HWY_EXPORT(TargetName);
 
 void serve(const KernelModel& kernel, std::span<const std::int32_t> points, std::span<const Mat2> F_inc,
            std::span<double> states, std::span<stress::SurrogateAnswer> answers) {
+    SG_EXPECT(answers.size() == points.size() && distinct_below(points, F_inc.size()));
+    SG_EXPECT(all_below(points, states.size() / kernel.layout.size()));
     if (!points.empty()) HWY_DYNAMIC_DISPATCH(Serve)(kernel, points, F_inc, states, answers);
 }
 

@@ -87,7 +87,7 @@ HWY_INLINE Points Fetch(const Rows& state) {
     for (std::size_t c = 0; c < StateLayout::shared; c += 4) state.get4(c, v + c);
     Points p;
     p.volume = v[0], p.fabric_re = v[1], p.fabric_im = v[2];
-    p.p0 = v[3], p.e0 = v[4], p.K0 = v[5], p.G0 = v[6], p.coordination = v[7], p.strength = v[8];
+    p.p0 = v[3], p.e0 = v[4], p.K0 = v[5], p.G0 = v[6], p.coordination = v[7], p.peak_friction = v[8];
     p.log_p0 = Log(p.p0);
     return p;
 }

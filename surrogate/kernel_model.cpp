@@ -1,5 +1,7 @@
 #include "surrogate/kernel_model.hpp"
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::surrogate {
 namespace {
 
@@ -24,6 +26,7 @@ KernelModel::KernelModel(Model m) : model(std::move(m)), layout{model.elements, 
     }
     for (std::size_t i = 0; i < feature_count; ++i)
         inverse_width[i] = 1 / (model.ranges[i].high - model.ranges[i].low);
+    SG_ENSURE(layers.size() == model.members.size());
 }
 
 }  // namespace sandgraph::surrogate

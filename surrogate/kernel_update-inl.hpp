@@ -16,7 +16,7 @@ namespace sandgraph::surrogate::HWY_NAMESPACE {
 // A vector of points: what its members share during an update.
 struct Points {
     V volume, fabric_re, fabric_im;
-    V p0, e0, K0, G0, coordination, strength, log_p0;
+    V p0, e0, K0, G0, coordination, peak_friction, log_p0;
     V shear_re, shear_im, strain_volume, determinant, cos2, sin2;  // increment; phase of its rotation
     V substeps;
     int most_substeps = 1;
@@ -57,7 +57,7 @@ HWY_INLINE V FeaturesOf(const KernelModel& kernel, const Points& points, const M
     x[4] = hn::Mul(Set(1 / 3.0), hn::Sub(points.log_p0, Set(log_unit)));
     x[5] = hn::Mul(hn::Sub(points.e0, Set(0.22)), Set(1 / 0.04));
     x[6] = hn::Mul(hn::Sub(points.coordination, Set(3.5)), Set(1 / 0.5));
-    x[7] = hn::Mul(hn::Sub(points.strength, Set(0.5)), Set(1 / 0.1));
+    x[7] = hn::Mul(hn::Sub(points.peak_friction, Set(0.5)), Set(1 / 0.1));
     x[8] = hn::Mul(hn::Mul(along, inverse), Set(1 / 0.1));
     V distance = Set(0);
     for (std::size_t i = 0; i < feature_count; ++i) {

@@ -1,12 +1,16 @@
 #include "surrogate/point_update.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/LU>
 
+#include <array>
 #include <numeric>
+#include <vector>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "stress/increment.hpp"
-#include "surrogate/network.hpp"
+#include "surrogate/coefficients.hpp"
 
 namespace sandgraph::surrogate {
 namespace {
@@ -92,13 +96,22 @@ stress::SurrogateAnswer answer_of(const PointState& point) {
 }
 
 void check_start(const stress::PackingTraits& t, double p) {
-    const double positive[] = {t.pressure, t.porosity, t.bulk, t.shear, t.coordination, t.strength, p};
+    const double positive[] = {t.pressure, t.porosity, t.bulk, t.shear, t.coordination, t.peak_friction, p};
     for (const double value : positive)
         if (!(value > 0) || !std::isfinite(value))
             throw InputError({"surrogate"}, "a point cannot start from this packing",
                              fmt::format("a trait or the mean stress is {}", value),
                              "give a packing in compression with measured moduli and strength");
 }
+
+constexpr double increment_size = 1e-5, difference = 1e-7;
+
+// F = I + strain (xx, yy, engineering xy), symmetric: no rotation.
+Mat2 gradient_of(const Eigen::Vector3d& e) {
+    return (Mat2() << 1 + e[0], 0.5 * e[2], 0.5 * e[2], 1 + e[1]).finished();
+}
+
+Eigen::Vector3d column_of(const Stress& s) { return {s.xx, s.yy, s.xy}; }
 
 }  // namespace
 
@@ -108,14 +121,16 @@ PointState start_point(const Model& model, const stress::PackingTraits& t, const
     const Deviator s(-0.5 * (initial.xx - initial.yy), -initial.xy);
     PointState point;
     point.fabric = {t.fabric_xx, t.fabric_xy};
-    point.constants = {t.pressure, t.porosity / (1 - t.porosity), t.bulk, t.shear, t.coordination,
-                       t.strength};
+    point.constants = {t.pressure,     t.porosity / (1 - t.porosity), t.bulk, t.shear, t.coordination,
+                       t.peak_friction};
     for (const Member& member : model.members)
         point.members.push_back(start_member(model, member, point, p, s));
     return point;
 }
 
 stress::SurrogateAnswer update_point(const Model& model, const Mat2& F_inc, PointState& point) {
+    SG_EXPECT(point.members.size() == model.members.size());
+    SG_EXPECT(F_inc.determinant() > 0);
     const stress::Increment e = stress::increment(F_inc);
     const Strain strain = strain_of(e, F_inc, model.substep);
     double distance = 0;
@@ -127,6 +142,27 @@ stress::SurrogateAnswer update_point(const Model& model, const Mat2& F_inc, Poin
     stress::SurrogateAnswer answer = answer_of(point);
     answer.distance = distance;
     return answer;
+}
+
+stress::Tangent difference_tangent(const stress::Surrogate& law, std::span<const double> state,
+                                   const Eigen::Vector3d& strain) {
+    SG_EXPECT(state.size() == law.state_size() && strain.allFinite());
+    constexpr std::array<std::int32_t, 6> points{0, 1, 2, 3, 4, 5};
+    std::array<Mat2, 6> F;
+    std::array<stress::SurrogateAnswer, 6> answers;
+    std::vector<double> states;
+    const double size = strain.norm();
+    const Eigen::Vector3d base = size > 0 ? Eigen::Vector3d(strain * (increment_size / size)) : strain;
+    for (std::size_t k = 0; k < 6; ++k) {
+        F[k] = gradient_of(base + (k % 2 ? -difference : difference) * Eigen::Vector3d::Unit(k / 2));
+        states.insert(states.end(), state.begin(), state.end());
+    }
+    law.update(points, F, states, answers);
+    stress::Tangent tangent;
+    for (std::size_t j = 0; j < 3; ++j)
+        tangent.col(j) =
+            (column_of(answers[2 * j].stress) - column_of(answers[2 * j + 1].stress)) / (2 * difference);
+    return tangent;
 }
 
 }  // namespace sandgraph::surrogate

@@ -12,4 +12,9 @@ PointState start_point(const Model& model, const stress::PackingTraits& traits, 
 // Drives the point through F_inc = R U: midpoint rule over equal substeps of U, then turned by R.
 stress::SurrogateAnswer update_point(const Model& model, const Mat2& F_inc, PointState& point);
 
+// d(stress)/d(strain) around the increment of size 1e-5 in the direction `strain`, by central differences of
+// the law's own update (six updates in one batch). Zero direction: the mean of loading and unloading.
+stress::Tangent difference_tangent(const stress::Surrogate& law, std::span<const double> state,
+                                   const Eigen::Vector3d& strain);
+
 }  // namespace sandgraph::surrogate

@@ -1,7 +1,7 @@
 #include "surrogate/reference.hpp"
 
+#include "base/contracts.hpp"
 #include "surrogate/point_update.hpp"
-#include "surrogate/tangent.hpp"
 
 namespace sandgraph::surrogate {
 
@@ -15,6 +15,7 @@ void Reference::start(const stress::PackingTraits& traits, const Stress& initial
 
 void Reference::update(std::span<const std::int32_t> points, std::span<const Mat2> F_inc,
                        std::span<double> states, std::span<stress::SurrogateAnswer> answers) const {
+    SG_EXPECT(answers.size() == points.size() && distinct_below(points, F_inc.size()));
     for (std::size_t k = 0; k < points.size(); ++k) {
         const auto id = static_cast<std::size_t>(points[k]);
         const std::span<double> state = states.subspan(id * layout_.size(), layout_.size());

@@ -23,7 +23,7 @@ stress::PackingTraits traits_at(const Model& model, double place) {
     const double void_ratio = std::max(0.22 + 0.04 * feature(5), 0.01);
     t.porosity = void_ratio / (1 + void_ratio);
     t.coordination = std::max(3.5 + 0.5 * feature(6), 0.5);
-    t.strength = std::clamp(0.5 + 0.1 * feature(7), 0.05, 0.95);
+    t.peak_friction = std::clamp(0.5 + 0.1 * feature(7), 0.05, 0.95);
     t.bulk = 2e7 * std::sqrt(t.pressure / 1e4);
     t.shear = 0.6 * t.bulk;
     t.fabric_xx = 0.02 * place;

@@ -2,7 +2,6 @@
 
 #include "surrogate/kernel.hpp"
 #include "surrogate/point_update.hpp"
-#include "surrogate/tangent.hpp"
 
 namespace sandgraph::surrogate {
 

@@ -1,5 +1,7 @@
 #include "surrogate/state_layout.hpp"
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::surrogate {
 namespace {
 
@@ -23,6 +25,7 @@ void pack_member(const MemberState& m, std::span<double> v) {
 }  // namespace
 
 PointState unpack(const StateLayout& layout, std::span<const double> v) {
+    SG_EXPECT(v.size() == layout.size());
     const auto c = v.subspan(layout.constants);
     PointState point{
         v[layout.volume], {v[layout.fabric], v[layout.fabric + 1]}, {c[0], c[1], c[2], c[3], c[4], c[5]}, {}};
@@ -33,12 +36,13 @@ PointState unpack(const StateLayout& layout, std::span<const double> v) {
 }
 
 void pack(const StateLayout& layout, const PointState& point, std::span<double> v) {
+    SG_EXPECT(v.size() == layout.size() && point.members.size() == layout.members);
     std::fill(v.begin(), v.end(), 0.0);
     v[layout.volume] = point.volume;
     v[layout.fabric] = point.fabric.real();
     v[layout.fabric + 1] = point.fabric.imag();
     const PointConstants& c = point.constants;
-    const double constants[] = {c.pressure, c.void_ratio, c.bulk, c.shear, c.coordination, c.strength};
+    const double constants[] = {c.pressure, c.void_ratio, c.bulk, c.shear, c.coordination, c.peak_friction};
     std::copy(std::begin(constants), std::end(constants), v.subspan(layout.constants).begin());
     for (std::size_t m = 0; m < layout.members; ++m)
         pack_member(point.members[m], v.subspan(layout.member(m), layout.member_size()));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::training {
 namespace {
 
@@ -73,7 +75,7 @@ void fill_constants(Batch& batch, std::span<const CutHistory> histories) {
     batch.K0 = of(&PackingTraits::bulk);
     batch.G0 = of(&PackingTraits::shear);
     batch.Z0 = of(&PackingTraits::coordination);
-    batch.sin_phi = of(&PackingTraits::strength);
+    batch.sin_phi = of(&PackingTraits::peak_friction);
     const torch::Tensor n = of(&PackingTraits::porosity);
     batch.e0 = n / (1 - n);
     batch.fabric = torch::stack({of(&PackingTraits::fabric_xx), of(&PackingTraits::fabric_xy)}, 1);
@@ -84,6 +86,9 @@ void fill_constants(Batch& batch, std::span<const CutHistory> histories) {
 }  // namespace
 
 Batch make_batch(std::span<const CutHistory> histories, torch::Dtype type) {
+    SG_EXPECT(!histories.empty());
+    SG_EXPECT(
+        std::ranges::all_of(histories, [](const CutHistory& h) { return h.start && !h.steps.empty(); }));
     std::size_t length = 0;
     for (const CutHistory& h : histories) length = std::max(length, h.steps.size());
     Batch batch;
@@ -101,6 +106,7 @@ Batch make_batch(std::span<const CutHistory> histories, torch::Dtype type) {
 
 std::vector<CutHistory> cut_all(const HistorySet& set, std::span<const std::int64_t> which,
                                 const CutRule& rule, double strain_max) {
+    SG_EXPECT(all_below(which, set.histories.size()));
     std::vector<CutHistory> out;
     for (const std::int64_t k : which) {
         const History& history = set.histories[k];
@@ -112,6 +118,7 @@ std::vector<CutHistory> cut_all(const HistorySet& set, std::span<const std::int6
 }
 
 std::vector<Batch> make_batches(std::vector<CutHistory> histories, std::size_t size, torch::Dtype type) {
+    SG_EXPECT(size > 0);
     std::ranges::stable_sort(histories, {}, [](const CutHistory& h) { return h.steps.size(); });
     std::vector<Batch> batches;
     const std::span<const CutHistory> all(histories);

@@ -2,8 +2,6 @@
 // served.
 #include "training/element_law.hpp"
 
-#include "training/fused_rollout.hpp"
-
 #include <torch/types.h>
 #include <torch/utils.h>
 

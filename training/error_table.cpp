@@ -6,6 +6,8 @@
 #include <array>
 #include <functional>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::training {
 namespace {
 
@@ -28,6 +30,7 @@ std::size_t band(const std::array<Band, N>& bands, double value) {
 }
 
 ErrorRow row_of(std::string regime, const std::vector<ErrorSample>& samples) {
+    SG_EXPECT(!samples.empty());
     std::vector<double> errors;
     double p = 0, q = 0;
     for (const ErrorSample& s : samples) {

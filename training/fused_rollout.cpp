@@ -1,4 +1,4 @@
-#include "training/fused_rollout.hpp"
+#include "training/element_law.hpp"
 
 #include <ATen/core/ivalue.h>
 #include <tbb/parallel_for.h>

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "base/contracts.hpp"
 #include "io/history.hpp"
 
 namespace sandgraph::training {
@@ -20,7 +21,10 @@ struct HistorySet {
     std::vector<History> histories;
     std::vector<std::string> sources;  // "FILE hash" of every log
 
-    const io::HistoryPacking& start_of(const History& history) const { return packings[history.packing]; }
+    const io::HistoryPacking& start_of(const History& history) const {
+        SG_EXPECT(history.packing >= 0 && static_cast<std::size_t>(history.packing) < packings.size());
+        return packings[history.packing];
+    }
 };
 
 // Of a file's contents.

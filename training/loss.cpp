@@ -2,6 +2,8 @@
 
 #include <torch/types.h>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::training {
 namespace {
 
@@ -43,6 +45,7 @@ Tensor ensemble_error(const Prediction& prediction, const Batch& batch) {
 Tensor rollout_loss(const Prediction& prediction, const Batch& batch, const Tensor& drawn,
                     const LossScale& scale) {
     const double robust = scale.robust;
+    SG_EXPECT(robust > 0 && drawn.dim() == 2 && prediction.p.dim() == 3);
     const Tensor raw = scale.friction ? friction_error(prediction, batch) : stress_error(prediction, batch);
     const Tensor error = raw / (robust * share_of_change(batch, scale.change));
     const Tensor loss = robust * robust * (torch::sqrt(1 + error.square()) - 1);

@@ -1,9 +1,121 @@
 #include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 
+#include "base/console.hpp"
 #include "base/error.hpp"
-#include "training/train_command.hpp"
+#include "base/process.hpp"
+#include "base/revision.hpp"
+#include "io/atomic_file.hpp"
+#include "surrogate/load_surrogate.hpp"
+#include "surrogate/model_file.hpp"
+#include "training/card.hpp"
+#include "training/element_law.hpp"
+#include "training/evaluate.hpp"
+#include "training/export_model.hpp"
+
+namespace sandgraph::training {
+namespace {
+
+struct TrainCommand {
+    std::string recipe, out;
+    std::string probes;    // a log beside those of the recipe; "": none
+    bool ladder = false;   // train and measure every rung, write the recipe's
+    bool measure = false;  // train and measure, write no model: also for laws that cannot be served
+    std::string evaluate;  // a model to measure on the held-out histories instead of training one; "": none
+};
+
+namespace fs = std::filesystem;
+constexpr int done = 0, stopped = 3;
+// Ten times finer increments then change the answer by 0.1 % at most (bench_surrogate_element).
+constexpr double served_substep = 3.5e-5;
+
+fs::path beside(const std::string& out, const std::string& ending) {
+    return fs::path(out).replace_extension(ending);
+}
+
+void add_tables(const TrainingData& data, const Law& law, Rung rung, std::vector<ErrorTable>& tables) {
+    const auto add = [&](const char* name, const std::vector<Batch>& batches) {
+        if (!batches.empty())
+            tables.push_back({name_of(rung), name, error_rows(data.set, evaluate(law, batches))});
+    };
+    add("new seeds", data.new_seeds);
+    add("known seeds", data.known_seeds);
+    add("new seeds with p led", data.led_new_seeds);
+}
+
+void write_model(const scene::TrainSpec& spec, const TrainingData& data, const Law& law,
+                 const std::string& out) {
+    const auto* elements = dynamic_cast<const ElementLaw*>(&law);
+    if (!elements) return;
+    surrogate::Model model = export_model(*elements, served_substep);
+    model.data_hash = data.hash;
+    model.description = fmt::format("{} from {}", name_of(spec.rung), spec.file);
+    surrogate::write_model(out, model);
+    surrogate::load_surrogate(out);  // refuses what cannot be served
+}
+
+void check_servable(const scene::TrainSpec& spec) {
+    if (spec.rung == Rung::mlp || spec.rung == Rung::gru)
+        throw InputError({spec.file}, fmt::format("model.rung = \"{}\"", name_of(spec.rung)),
+                         "the baselines cannot be served", "write rung = \"learned\", or give --measure");
+    if (spec.traits != scene::TrainTraits::all)
+        throw InputError({spec.file}, "model.traits is not \"all\"", "served points tell all their traits",
+                         "write traits = \"all\", or give --measure");
+}
+
+// A model made before, on the histories that this recipe holds out.
+int evaluate_only(const TrainingData& data, const std::string& file) {
+    const surrogate::Model model = surrogate::read_model(file).model;
+    ElementLaw law(Rung::learned, std::ssize(model.members), 1);
+    start_from(law, model, file);
+    law.to(torch::kFloat);  // as the batches are
+    for (std::size_t i = 0; i < model.ranges.size(); ++i) {
+        law.low[static_cast<std::int64_t>(i)] = model.ranges[i].low;
+        law.high[static_cast<std::int64_t>(i)] = model.ranges[i].high;
+    }
+    std::vector<ErrorTable> tables;
+    add_tables(data, law, Rung::learned, tables);
+    tell(error_text(tables));
+    return done;
+}
+
+// Writes OUT, OUT's card and error table; answers the exit code: 0, or 3 when stopped and resumable.
+int run(const TrainCommand& command) {
+    const scene::TrainSpec spec = scene::read_train(command.recipe);
+    if (!command.measure) check_servable(spec);
+    catch_interrupts();
+    std::vector<std::string> logs = spec.logs;
+    if (!command.probes.empty()) logs.push_back(command.probes);
+    const TrainingData data = load_data(spec, logs);
+    if (!command.evaluate.empty()) return evaluate_only(data, command.evaluate);
+    notice(fmt::format("histories: {} train, {} validate, {} held out with their seeds, {} of known seeds",
+                       data.split.training.size(), data.split.validation.size(), data.split.new_seeds.size(),
+                       data.split.known_seeds.size()));
+    std::vector<ErrorTable> tables;
+    std::optional<Trained> chosen;
+    for (const Rung rung : rungs) {
+        if (!command.ladder && rung != spec.rung) continue;
+        const auto trained =
+            train(data, spec, rung, beside(command.out, fmt::format(".{}.state", name_of(rung))));
+        if (!trained) return stopped;
+        add_tables(data, *trained->law, rung, tables);
+        if (rung == spec.rung) chosen = trained;
+    }
+    const auto floor = noise_floor(data.set, data.rule, spec.strain_max);
+    tables.insert(tables.end(), floor.begin(), floor.end());
+    if (!command.measure) write_model(spec, data, *chosen->law, command.out);
+    const std::string again = fmt::format("sandgraph train {} -o {}", command.recipe, command.out);
+    io::write_text(beside(command.out, ".card.json"),
+                   model_card(spec, data, *chosen, tables, again, revision()));
+    io::write_text(beside(command.out, ".errors.csv"), error_csv(tables));
+    tell(fmt::format("{}\n{}: {} epochs, {:.0f} s\n", error_text(tables), command.out, chosen->epochs,
+                     chosen->seconds));
+    for (const Rung rung : rungs) fs::remove(beside(command.out, fmt::format(".{}.state", name_of(rung))));
+    return done;
+}
+
+}  // namespace
+}  // namespace sandgraph::training
 
 // Started by `sandgraph train`, which makes the probe log and hands the other arguments on.
 int main(int argc, char** argv) {
@@ -20,10 +132,10 @@ int main(int argc, char** argv) {
     try {
         return training::run(command);
     } catch (const InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        notice(error.what());
         return 2;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "sandgraph-train: {}\n", error.what());
+        notice(fmt::format("sandgraph-train: {}", error.what()));
         return 1;
     }
 }

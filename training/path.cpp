@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "base/contracts.hpp"
 #include "stress/increment.hpp"
 
 namespace sandgraph::training {
@@ -88,6 +89,8 @@ Step Cutter::close(const Stress& measured) {
 Complex deviator_of(const Stress& stress) { return {-0.5 * (stress.xx - stress.yy), -stress.xy}; }
 
 std::vector<Step> cut(const History& history, const CutRule& rule) {
+    SG_EXPECT(history.F_inc.size() == history.stress.size());
+    SG_EXPECT(rule.least > 0 && rule.most >= rule.least && rule.share > 0);
     std::vector<Step> steps;
     Cutter cutter(rule);
     for (std::size_t row = 0; row < history.F_inc.size(); ++row) {

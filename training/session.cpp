@@ -4,25 +4,19 @@
 #include <torch/types.h>
 #include <torch/utils.h>
 
-#include <chrono>
-#include <cstdio>
-
+#include "base/console.hpp"
 #include "base/hash.hpp"
-#include "base/interrupt.hpp"
+#include "base/process.hpp"
 #include "surrogate/model_file.hpp"
+#include "training/baselines.hpp"
 #include "training/element_law.hpp"
 #include "training/export_model.hpp"
-#include "training/known_traits.hpp"
-#include "training/make_law.hpp"
+#include "training/split.hpp"
 
 namespace sandgraph::training {
 namespace {
 
 constexpr auto number = torch::kFloat;
-
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string data_hash(const scene::TrainSpec& spec, const HistorySet& set) {
     std::string text = spec.text;
@@ -31,10 +25,10 @@ std::string data_hash(const scene::TrainSpec& spec, const HistorySet& set) {
     return hex(hash64(text));
 }
 
-void tell(Rung rung, const EpochReport& report) {
-    fmt::print(stderr, "{} epoch {} of {}  loss {:.5f}  validation {:.5f}  best {:.5f}  {:.0f} s left\n",
-               name_of(rung), report.epoch, report.epochs, report.loss, report.validation, report.best,
-               report.seconds_left);
+void notice_epoch(Rung rung, const EpochReport& report) {
+    notice(fmt::format("{} epoch {} of {}  loss {:.5f}  validation {:.5f}  best {:.5f}  {:.0f} s left",
+                       name_of(rung), report.epoch, report.epochs, report.loss, report.validation,
+                       report.best, report.seconds_left));
 }
 
 }  // namespace
@@ -61,7 +55,7 @@ TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::stri
 
 std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& spec, Rung rung,
                              const std::filesystem::path& state) {
-    const double start = seconds();
+    const double start = wall_clock();
     torch::set_num_threads(spec.threads);
     Trained trained{.law = make_law(rung, spec.members, spec.training.seed, number)};
     if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get());
@@ -70,10 +64,10 @@ std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& s
     if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get()))
         elements->measured_critical = spec.measured_critical;
     Trainer trainer(trained.law, spec.training, std::ssize(data.set.histories), data.hash);
-    if (trainer.load(state)) fmt::print(stderr, "going on after epoch {}\n", trainer.epochs());
+    if (trainer.load(state)) notice(fmt::format("going on after epoch {}", trainer.epochs()));
     while (!trainer.done()) {
         const EpochReport report = trainer.epoch(data.training, data.validation);
-        tell(rung, report);
+        notice_epoch(rung, report);
         trainer.save(state);
         if (interrupted()) return {};
     }
@@ -81,7 +75,7 @@ std::optional<Trained> train(const TrainingData& data, const scene::TrainSpec& s
     if (auto* elements = dynamic_cast<ElementLaw*>(trained.law.get())) set_ranges(*elements, data.training);
     trained.epochs = trainer.epochs();
     trained.validation = trainer.best();
-    trained.seconds = seconds() - start;
+    trained.seconds = wall_clock() - start;
     return trained;
 }
 

@@ -16,4 +16,9 @@ struct Split {
 // InputError when no seed is left to train on.
 Split split(const HistorySet& set, const scene::TrainSpec& spec);
 
+// Withholds from every law what `known` leaves out of the packings' traits: middle values stand in for them,
+// for K and G a power law of the pressure through the packings that the histories `training` start from. What
+// does a law owe to knowing its packing?
+void withhold_traits(HistorySet& set, const std::vector<std::int64_t>& training, scene::TrainTraits known);
+
 }  // namespace sandgraph::training

@@ -4,11 +4,12 @@
 #include <torch/types.h>
 #include <torch/utils.h>
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "base/console.hpp"
+#include "base/contracts.hpp"
 #include "base/random.hpp"
 #include "io/atomic_file.hpp"
 
@@ -39,10 +40,6 @@ std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed, int epo
     return order;
 }
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
 Trainer::Trainer(std::shared_ptr<Law> law, const TrainOptions& options, std::int64_t histories,
@@ -53,6 +50,7 @@ Trainer::Trainer(std::shared_ptr<Law> law, const TrainOptions& options, std::int
       adam_(law_->parameters(), torch::optim::AdamOptions(options.rate)),
       drawn_(bootstrap(law_->members(), histories, options.seed)),
       best_error_(torch::full(law_->members(), std::numeric_limits<double>::infinity(), torch::kDouble)) {
+    SG_EXPECT(histories > 0 && options.epochs > 0 && options.rate > 0);
     for (const Tensor& parameter : law_->parameters()) best_.push_back(parameter.detach().clone());
     drawn_ = drawn_.to(law_->parameters().front().dtype());
 }
@@ -111,7 +109,8 @@ void Trainer::keep_better(const Tensor& error) {
 }
 
 EpochReport Trainer::epoch(const Batches& training, const Batches& validation) {
-    const double start = seconds();
+    SG_EXPECT(!training.empty() && !validation.empty());
+    const double start = wall_clock();
     const double turn = std::numbers::pi * epoch_ / std::max(1, options_.epochs - 1);
     const double rate = options_.rate_end + 0.5 * (options_.rate - options_.rate_end) * (1 + std::cos(turn));
     for (auto& group : adam_.param_groups())
@@ -123,7 +122,7 @@ EpochReport Trainer::epoch(const Batches& training, const Batches& validation) {
     keep_better(error);
     report.validation = error.mean().item<double>();
     report.best = best_error_.mean().item<double>();
-    report.seconds_left = (seconds() - start) * (options_.epochs - epoch_);
+    report.seconds_left = (wall_clock() - start) * (options_.epochs - epoch_);
     return report;
 }
 

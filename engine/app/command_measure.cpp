@@ -5,7 +5,6 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "io/atomic_file.hpp"
-#include "io/writable.hpp"
 #include "results/failure_table.hpp"
 
 namespace sandgraph::app {

@@ -6,7 +6,6 @@
 #include "app/commands.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
-#include "io/writable.hpp"
 #include "report/html.hpp"
 #include "report/run_report.hpp"
 

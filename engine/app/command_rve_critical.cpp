@@ -6,7 +6,6 @@
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
-#include "io/writable.hpp"
 #include "laboratory/critical_table.hpp"
 #include "report/critical_picture.hpp"
 

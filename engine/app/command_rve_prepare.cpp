@@ -11,7 +11,6 @@
 #include "dem/prepare/prepare.hpp"
 #include "io/atomic_file.hpp"
 #include "io/packing_file.hpp"
-#include "io/writable.hpp"
 #include "packings/base_packing.hpp"
 #include "scene/recipe_spec.hpp"
 

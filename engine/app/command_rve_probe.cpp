@@ -6,9 +6,9 @@
 
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
+#include "io/atomic_file.hpp"
+#include "io/history.hpp"
 #include "io/history_file.hpp"
-#include "io/history_overview.hpp"
-#include "io/writable.hpp"
 #include "laboratory/probe.hpp"
 
 namespace sandgraph::app {

@@ -4,14 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <mutex>
 
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
-#include "io/writable.hpp"
 #include "laboratory/study_table.hpp"
 #include "report/study_picture.hpp"
 
@@ -50,16 +47,15 @@ std::vector<std::vector<laboratory::StudyRun>> run_all(
     std::vector<std::vector<laboratory::StudyRun>> runs(settings.size(),
                                                         std::vector<laboratory::StudyRun>(samples.size()));
     StageProgress progress;
-    std::atomic<std::size_t> done{0};
-    std::mutex telling;
+    const ProgressCallback telling = progress.callback();
     const std::size_t count = settings.size() * samples.size();
+    Tally tally(count, telling);
     const auto one = [&](std::size_t job) {
         const std::size_t setting = job / samples.size(), seed = job % samples.size();
         tbb::this_task_arena::isolate([&] {
             runs[setting][seed] = laboratory::run_history(samples[seed], history, settings[setting].stepping);
         });
-        const std::lock_guard lock(telling);
-        progress.update(history.name, static_cast<double>(++done) / static_cast<double>(count));
+        tally.done(history.name);
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
         for (std::size_t job = range.begin(); job < range.end(); ++job) one(job);

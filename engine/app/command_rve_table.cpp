@@ -6,7 +6,6 @@
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
-#include "io/writable.hpp"
 #include "laboratory/soil_laboratory.hpp"
 #include "laboratory/strength_table.hpp"
 #include "report/biaxial_picture.hpp"

@@ -7,7 +7,6 @@
 #include "app/command_rve.hpp"
 #include "base/revision.hpp"
 #include "io/atomic_file.hpp"
-#include "io/writable.hpp"
 #include "laboratory/element_test.hpp"
 #include "packings/base_packing.hpp"
 

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "app/commands.hpp"
 #include "base/console.hpp"
+#include "base/process.hpp"
+#include "io/atomic_file.hpp"
 #include "io/history_file.hpp"
-#include "io/writable.hpp"
 #include "laboratory/probe.hpp"
 #include "scene/train_spec.hpp"
 #include "surrogate/load_surrogate.hpp"
@@ -40,17 +40,8 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
     if (fs::exists(log) && io::read_history_source(log).text == probe.text) return log.string();
     io::require_writable_file(log);
     StageProgress progress;
-    laboratory::write_probe(probe, log,
-                            [&progress](std::string_view stage, double f) { progress.update(stage, f); });
+    laboratory::write_probe(probe, log, progress.callback());
     return log.string();
-}
-
-[[noreturn]] void become(const fs::path& program, std::vector<std::string> arguments) {
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    ::execv(program.c_str(), argv.data());
-    throw std::system_error(errno, std::generic_category(), program.string());
 }
 
 void run(const Options& options) {
@@ -65,7 +56,7 @@ void run(const Options& options) {
     if (!probes.empty()) arguments.insert(arguments.end(), {"--probes", probes});
     if (options.measure) arguments.emplace_back("--measure");
     if (options.ladder) arguments.emplace_back("--ladder");
-    become(program, std::move(arguments));
+    become_program(std::move(arguments));
 }
 
 }  // namespace

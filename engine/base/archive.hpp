@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/require_state.hpp"
+#include "base/error.hpp"
 
 namespace sandgraph {
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/require_state.hpp"
+#include "base/error.hpp"
 
 namespace sandgraph {
 

@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
+
+#include "base/contracts.hpp"
 
 namespace sandgraph {
 namespace {
@@ -15,6 +18,11 @@ constexpr double terminal_interval = 0.2, plain_interval = 10;  // [s]
 void tell(std::string_view text) { fmt::print("{}", text); }
 
 void notice(std::string_view line) { fmt::print(stderr, "{}\n", line); }
+
+void broken_contract(const char* kind, const char* condition, const char* file, int line) {
+    notice(fmt::format("{}:{}: {} broken: {}", file, line, kind, condition));
+    std::abort();
+}
 
 double wall_clock() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -43,6 +51,7 @@ void StageProgress::update(std::string_view stage, double fraction) {
 
 void Tally::done(std::string_view stage) {
     const std::lock_guard lock(telling_);
+    SG_EXPECT(done_ < all_);
     ++done_;
     if (progress_) progress_(stage, static_cast<double>(done_) / static_cast<double>(all_));
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/interrupt.hpp"
+#include "base/process.hpp"
 
 // All that the program writes to a terminal goes through here: results to stdout, notices and progress to
 // stderr.

@@ -4,11 +4,22 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <system_error>
+
+#include "base/contracts.hpp"
 
 namespace sandgraph {
 namespace {
+
+std::vector<char*> argv_of(std::vector<std::string>& arguments) {
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    return argv;
+}
 
 // Only async-signal-safe calls: the parent may have threads.
 [[noreturn]] void become(char* const* argv, const char* folder, const char* messages) {
@@ -19,13 +30,22 @@ namespace {
     ::_exit(errno == ENOENT ? program_missing : 126);
 }
 
+std::atomic<bool> asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void on_signal(int signal) {
+    if (asked.exchange(true)) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
+
 }  // namespace
 
 int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
                 const std::filesystem::path& messages) {
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
+    SG_EXPECT(!arguments.empty());
+    const std::vector<char*> argv = argv_of(arguments);
     const pid_t child = ::fork();
     if (child < 0)
         throw std::system_error(errno, std::generic_category(), "cannot start " + arguments.front());
@@ -35,6 +55,23 @@ int run_program(std::vector<std::string> arguments, const std::filesystem::path&
         if (errno != EINTR)
             throw std::system_error(errno, std::generic_category(), "cannot wait for " + arguments.front());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void become_program(std::vector<std::string> arguments) {
+    SG_EXPECT(!arguments.empty());
+    ::execv(arguments.front().c_str(), argv_of(arguments).data());
+    throw std::system_error(errno, std::generic_category(), arguments.front());
+}
+
+void catch_interrupts() {
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+}
+
+bool interrupted() { return asked.load(); }
+
+void stop_if_interrupted() {
+    if (interrupted()) throw Interrupted();
 }
 
 }  // namespace sandgraph

@@ -1,4 +1,5 @@
 #pragma once
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,5 +12,20 @@ inline constexpr int program_missing = 127;
 // returns its exit status, 128 + signal if it was killed, program_missing if there is none of that name.
 int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
                 const std::filesystem::path& messages);
+
+// Goes on as another program, arguments[0] being its path, with the terminal and the process of this one.
+// Throws std::system_error when it cannot be started.
+[[noreturn]] void become_program(std::vector<std::string> arguments);
+
+// SIGINT and SIGTERM ask long work to stop at its next clean point (a step, an epoch); a second one ends the
+// program at once.
+void catch_interrupts();
+bool interrupted();
+
+// Leaves work that cannot go on from its middle (the making of a packing): its results are thrown away.
+struct Interrupted : std::exception {
+    const char* what() const noexcept override { return "stopped; nothing was written"; }
+};
+void stop_if_interrupted();
 
 }  // namespace sandgraph

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph {
 
 // Counter-based random numbers: the value depends on (seed, stream, counter) only, so results do not depend
@@ -11,7 +13,10 @@ class Random {
     std::uint64_t bits() { return mix(key_ + counter_++ * 0x9E3779B97F4A7C15ull); }
     // Uniform in [0, 1).
     double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
-    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+    double uniform(double low, double high) {
+        SG_EXPECT(low <= high);
+        return low + (high - low) * uniform();
+    }
 
   private:
     static std::uint64_t mix(std::uint64_t z) {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph {
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -20,6 +22,7 @@ int edit_distance(std::string_view a, std::string_view b) {
         }
         before_last = std::exchange(last, row);
     }
+    SG_ENSURE(last.back() >= 0 && last.back() <= static_cast<int>(std::max(a.size(), b.size())));
     return last.back();
 }
 
@@ -42,6 +45,27 @@ std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string xml_escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    return out;
 }
 
 }  // namespace sandgraph

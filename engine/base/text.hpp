@@ -19,4 +19,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> kno
 // Without blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
+// For XML and HTML, element or attribute in double quotes: & < > and " as entities.
+std::string xml_escaped(std::string_view text);
+
 }  // namespace sandgraph

@@ -10,6 +10,7 @@ namespace sandgraph {
 // suggestion is written; `name` is what the value belongs to, for the error. Refuses with InputError: no
 // number, NaN or infinity, no unit, an unknown unit (naming the nearest), a unit of another dimension. `like`
 // must be a known unit.
+// Known are the SI units that scenes use with their usual prefixes and products, and deg for angles.
 double parse_quantity(const InputError::Where& where, std::string_view name, std::string_view text,
                       std::string_view like);
 

@@ -1,10 +1,14 @@
 #include "dem/rve.hpp"
 
 #include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
-#include "dem/packing/crushed.hpp"
+#include "base/contracts.hpp"
+#include "dem/packing/observe.hpp"
+#include "dem/packing/packing.hpp"
+#include "dem/reference/contact.hpp"
 #include "dem/stretch.hpp"
 
 namespace sandgraph::dem {
@@ -40,6 +44,7 @@ int step_count(double magnitude, double rate, double pressure, const RveOptions&
 // `count` steps under the constant gradient L: move, forces, kick. Leaves forces and cell in step, so the
 // stress of the last evaluation belongs to the deformation reached.
 Mat2 run(Workspace& w, const KernelConstants& k, const Material& m, const Mat2& L, double dt, int count) {
+    SG_EXPECT(count >= 1 && dt > 0);
     FastState& s = w.state;
     double sum[4], speed2 = drift(s, L, dt);
     s.approach += w.neighbours.approach(s, speed2, dt);
@@ -65,10 +70,100 @@ bool crushed(const CompactPacking& p, const Mat2& stretch) {
     return !(1 - p.grains->solid_area / area > crushed_porosity);
 }
 
+void put(ByteWriter& out, const Mat2& m) { out.put(std::span<const double>(m.data(), 4)); }
+void take(ByteReader& in, Mat2& m) { in.take(std::span<double>(m.data(), 4)); }
+
+void save_packing(const CompactPacking& p, ByteWriter& out) {
+    for (const Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) put(out, *m);
+    out.put(p.approach), out.put(p.pairs), out.put(p.inner);
+    out.put(p.position), out.put(p.velocity);
+    out.put(p.i), out.put(p.j), out.put(p.image);
+    out.put(p.tangential), out.put(p.moment);
+}
+
+void load_packing(CompactPacking& p, ByteReader& in) {
+    for (Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) take(in, *m);
+    in.take(p.approach), in.take(p.pairs), in.take(p.inner);
+    in.take(p.position), in.take(p.velocity);
+    in.take(p.i), in.take(p.j), in.take(p.image);
+    in.take(p.tangential), in.take(p.moment);
+}
+
+// The pair loop indexes by these without a look; the padding grain N is one of its partners.
+void require_sound(const CompactPacking& p) {
+    const std::size_t grains = p.grains->radius.size(), slots = p.i.size();
+    require_state(p.position.size() == 2 * grains && p.velocity.size() == 3 * grains, "grains");
+    require_state(slots % FastState::kLanes == 0 && p.j.size() == slots && p.image.size() == slots &&
+                      p.tangential.size() == slots && p.moment.size() == slots,
+                  "pairs");
+    const auto most = static_cast<int>(slots);
+    require_state(p.pairs >= 0 && p.pairs <= most && p.inner >= 0 && p.inner <= most &&
+                      p.inner % FastState::kLanes == 0,
+                  "pairs");
+    require_indices(p.i, grains + 1, "pairs"), require_indices(p.j, grains + 1, "pairs");
+    require_indices(p.image, 9, "pairs");
+    for (const Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) require_state(m->allFinite(), "numbers");
+    require_state(p.H.determinant() > 0, "cells");
+    require_state(std::isfinite(p.approach), "numbers");
+    const auto finite = [](double value) { return std::isfinite(value); };
+    require_state(std::ranges::all_of(p.position, finite) && std::ranges::all_of(p.velocity, finite) &&
+                      std::ranges::all_of(p.tangential, finite) && std::ranges::all_of(p.moment, finite),
+                  "numbers");
+}
+
+void turn(const Mat2& R, std::vector<double>& x, std::vector<double>& y) {
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const Vec2 turned = R * Vec2(x[k], y[k]);
+        x[k] = turned.x(), y[k] = turned.y();
+    }
+}
+
+// As contact_forces of a Packing, but the pairs are known: a list that the kernel just used holds every
+// contact. In the order of the pair loop.
+std::vector<ContactForce> listed_contacts(const CompactPacking& p, const Material& m) {
+    const std::vector<double>& r = p.grains->radius;
+    std::vector<ContactForce> out;
+    out.reserve(p.i.size());
+    for (std::size_t k = 0; k < p.i.size(); ++k) {
+        const std::size_t i = p.i[k], j = p.j[k];
+        if (i >= r.size() || j >= r.size()) continue;  // a lane that only pads
+        const Vec2 cell(p.image[k] / 3 - 1, p.image[k] % 3 - 1);
+        const Vec2 d = Vec2(p.position[2 * j], p.position[2 * j + 1]) + p.H * cell -
+                       Vec2(p.position[2 * i], p.position[2 * i + 1]);
+        const double radii = r[i] + r[j];
+        if (d.squaredNorm() >= radii * radii) continue;
+        ContactForce c{p.i[k], p.j[k], std::int16_t(cell.x()), std::int16_t(cell.y())};
+        c.n = d.normalized();
+        c.overlap = radii - d.norm();
+        c.f_n = PairConstants(r[i], r[j], m).k_n * c.overlap;
+        c.f_t = double(p.tangential[k]) * Vec2(c.n.y(), -c.n.x());
+        const double limit = m.rolling_limit * std::min(r[i], r[j]) * c.f_n;
+        c.moment = std::clamp(double(p.moment[k]), -limit, limit);
+        out.push_back(c);
+    }
+    return out;
+}
+
+// Grains and cell; contact history stays with the pairs.
+Packing grains_of(const CompactPacking& p) {
+    const std::size_t n = p.grains->radius.size();
+    Packing out;
+    out.H = p.H, out.L = p.L, out.r = p.grains->radius;
+    for (std::vector<double>* v : {&out.x, &out.y, &out.vx, &out.vy, &out.spin}) v->resize(n);
+    for (std::size_t g = 0; g < n; ++g) {
+        out.x[g] = p.position[2 * g], out.y[g] = p.position[2 * g + 1];
+        out.vx[g] = p.velocity[3 * g], out.vy[g] = p.velocity[3 * g + 1], out.spin[g] = p.velocity[3 * g + 2];
+    }
+    return out;
+}
+
 }  // namespace
 
 RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOptions& options,
                       Workspace& work) {
+    SG_EXPECT(options.time_step > 0 && options.strain_per_step_max > 0 && options.inertial_number_max > 0);
+    SG_EXPECT(options.pressure_floor > 0 && options.stress_per_step_max > 0);
+    SG_EXPECT(material.density > 0 && material.depth > 0);
     if (!usable(F_inc)) return {RveStatus::bad_increment};
     const Polar increment = polar(turned(F_inc, -angle_));
     if (hencky(increment.U).norm() > kLargestIncrement) return {RveStatus::bad_increment};
@@ -88,6 +183,8 @@ RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOpti
     volume_ *= increment.U.determinant();
     settle(options);
     if (floating_) report.status = RveStatus::floating;
+    SG_ENSURE(volume_ > 0 && std::isfinite(angle_));
+    SG_ENSURE(packing().stress.allFinite() && (!floating_ || packing().stress.isZero(0)));
     return report;
 }
 
@@ -124,6 +221,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     }
     pack(work.state, *own_);
     own_->stress = stress;
+    SG_ENSURE(report.dem_steps >= 1 && own_->grains == initial_->grains);
     return report;
 }
 
@@ -146,6 +244,49 @@ Mat2 Rve::stress() const { return turned(packing().stress, angle_); }
 
 double Rve::porosity() const {
     return 1 - packing().grains->solid_area / (packing().H.determinant() * pending_.determinant());
+}
+
+void Rve::save(ByteWriter& out) const {
+    out.put(own_ != nullptr), out.put(floating_);
+    out.put(angle_), out.put(volume_), out.put(contact_volume_);
+    put(out, pending_);
+    if (own_) save_packing(*own_, out);
+}
+
+void Rve::load(ByteReader& in) {
+    bool own = false;
+    in.take(own), in.take(floating_);
+    in.take(angle_), in.take(volume_), in.take(contact_volume_);
+    take(in, pending_);
+    require_state(std::isfinite(angle_) && volume_ > 0 && contact_volume_ > 0 && pending_.allFinite(),
+                  "numbers");
+    require_state(own || !floating_, "flags");  // only a packing of its own opens up
+    own_.reset();
+    if (!own) return;
+    auto packing = std::make_unique<CompactPacking>();
+    packing->grains = initial_->grains;
+    load_packing(*packing, in);
+    require_sound(*packing);
+    own_ = std::move(packing);
+}
+
+// Tangential forces and moments are scalars of the contact and turn with it.
+Packing lab_packing(const Rve& rve) {
+    Packing packing = to_packing(rve.packing());
+    const Mat2 R = rotation(rve.angle());
+    packing.H = R * packing.H, packing.L = turned(packing.L, rve.angle());
+    turn(R, packing.x, packing.y), turn(R, packing.vx, packing.vy);
+    return packing;
+}
+
+// The packing lies in its own frame, which turned with the point.
+Observables observe(const Rve& rve, const Material& material) {
+    const CompactPacking& packing = rve.packing();
+    Observables seen = observe(grains_of(packing), listed_contacts(packing, material), material);
+    seen.stress = rve.stress();
+    seen.fabric = turned(seen.fabric, rve.angle());
+    seen.porosity = rve.porosity();
+    return seen;
 }
 
 }  // namespace sandgraph::dem

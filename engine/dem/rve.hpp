@@ -2,10 +2,13 @@
 #include <memory>
 
 #include "base/byte_stream.hpp"
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
 #include "dem/fast/kernel.hpp"
 #include "dem/fast/neighbour_list.hpp"
 #include "dem/packing/compact_packing.hpp"
+#include "dem/packing/observables.hpp"
+#include "dem/packing/packing.hpp"
 #include "dem/rve_options.hpp"
 
 namespace sandgraph::dem {
@@ -36,7 +39,9 @@ struct Workspace {
 class Rve {
   public:
     // Shares the initial packing of its depth row; an own copy is made by the first update.
-    explicit Rve(std::shared_ptr<const CompactPacking> initial) : initial_(std::move(initial)) {}
+    explicit Rve(std::shared_ptr<const CompactPacking> initial) : initial_(std::move(initial)) {
+        SG_EXPECT(initial_ != nullptr);
+    }
 
     // Drives the packing through the increment F_inc (lab frame, det > 0). After a report other than `ok` or
     // `floating` the state is unchanged and `stress()` still that of before.
@@ -70,6 +75,24 @@ class Rve {
     double angle_ = 0, volume_ = 1;
     double contact_volume_ = 1;        // J when the packing last carried load
     Mat2 pending_ = Mat2::Identity();  // deformation collected while floating, packing frame
+};
+
+// The packing behind a material point as it lies in the lab frame (the Rve keeps it in a frame that turns
+// with the point), with its contact history. A floating packing is shown as it last carried load.
+Packing lab_packing(const Rve& rve);
+
+// What the packing shows behind a material point, turned into the lab frame; `stress` is what the RVE
+// answers, `porosity` includes what a floating packing has opened.
+Observables observe(const Rve& rve, const Material& material);
+
+// What a DEM update of a watched point did, for the history log.
+struct RveUpdate {
+    std::int32_t point = 0;
+    Mat2 F_inc = Mat2::Identity();  // since the point's previous update, with its spin
+    RveReport report;
+    Mat2 stress = Mat2::Zero();  // after it [Pa], compression positive, lab frame, not symmetrised
+    double volume_ratio = 1;     // J since the start
+    Observables seen;            // lab frame
 };
 
 }  // namespace sandgraph::dem

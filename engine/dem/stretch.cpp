@@ -1,6 +1,9 @@
 #include "dem/stretch.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
+
+#include "base/contracts.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -24,6 +27,7 @@ Mat2 rotation(double angle) {
 }
 
 Polar polar(const Mat2& F) {
+    SG_EXPECT(F.determinant() > 0);
     // In 2D the rotation angle is closed-form: tan = (F_yx - F_xy)/(F_xx + F_yy).
     const double angle = std::atan2(F(1, 0) - F(0, 1), F(0, 0) + F(1, 1));
     const Mat2 U = rotation(-angle) * F;
@@ -32,10 +36,12 @@ Polar polar(const Mat2& F) {
 }
 
 Mat2 hencky(const Mat2& U) {
+    SG_EXPECT(U.determinant() > 0 && U.trace() > 0);
     return isotropic(U, [](double x) { return std::log(x); });
 }
 
 Mat2 root(const Mat2& U, int n) {
+    SG_EXPECT(n >= 1 && U.determinant() > 0 && U.trace() > 0);
     return isotropic(U, [n](double x) { return std::exp(std::log(x) / n); });
 }
 

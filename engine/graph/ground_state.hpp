@@ -5,11 +5,11 @@
 #include "mpm/boundary.hpp"
 #include "mpm/contact.hpp"
 #include "mpm/grid.hpp"
-#include "mpm/grid_to_points.hpp"
 #include "mpm/order.hpp"
 #include "mpm/plate.hpp"
 #include "mpm/points.hpp"
 #include "mpm/time_step.hpp"
+#include "mpm/transfer.hpp"
 #include "stress/law.hpp"
 
 namespace sandgraph::graph {

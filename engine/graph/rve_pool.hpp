@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "dem/packing/observe.hpp"
 #include "dem/rve.hpp"
 #include "graph/strain_path.hpp"
 

@@ -1,16 +1,17 @@
 #include "graph/step_phases.hpp"
 
 #include "mpm/audit.hpp"
+#include "mpm/boundary.hpp"
 #include "mpm/grid_update.hpp"
-#include "mpm/points_to_grid.hpp"
-#include "mpm/surcharge.hpp"
+#include "mpm/transfer.hpp"
 #include "mpm/two_field.hpp"
 
 namespace sandgraph::graph {
 namespace {
 
 void scatter_points(GroundState& s) {
-    for (const Body& body : s.bodies) mpm::set_divide(s.grid, mpm::divide_of(body.plate), s.points.half);
+    for (const Body& body : s.bodies)
+        mpm::set_enrichment(s.grid, mpm::enrichment_of(body.plate), s.points.half);
     mpm::refresh(s.order, s.points, s.grid);
     mpm::points_to_grid(s.points, s.order, s.grid);
 }

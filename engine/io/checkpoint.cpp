@@ -6,7 +6,6 @@
 #include "io/content.hpp"
 #include "io/h5_attribute.hpp"
 #include "io/h5_dataset.hpp"
-#include "io/seal.hpp"
 
 namespace sandgraph::io {
 namespace fs = std::filesystem;

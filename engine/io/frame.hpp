@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/h5_group.hpp"
+
 namespace sandgraph::io {
 
 // One named field over the material points of a frame. values.size() == components * points (point-major).
@@ -26,12 +28,19 @@ struct Frame {
 // One row of load.csv; all for the whole plate (a half model is doubled before it gets here).
 struct LoadRow {
     double d_over_B = 0, load = 0;               // [-], [N/m]
-    double top = 0, bottom = 0;                  // contact force on the leading and trailing face [N/m]
+    double leading = 0, trailing = 0;            // contact force on the leading and trailing face [N/m]
     double time = 0;                             // [s]
     double kinetic_energy = 0, strain_work = 0;  // strain_work: sum V sigma:d_eps since the start [J/m]
     double plate_work = 0;                       // done by the plate since the start [J/m]
     double rve_active = 0;                       // points that own a packing
     double dem_steps = 0;                        // cumulated
 };
+
+std::string frame_name(std::size_t index);  // "0000", "0001", ...
+
+// One frame as a group: attributes time [s], d_over_B, plate_x, plate_y [m]; datasets `position` (N x 2) [m]
+// and each field (N or N x components) with its unit.
+void write_frame(h5::Group group, const Frame& frame);
+Frame read_frame(const h5::Group& group);
 
 }  // namespace sandgraph::io

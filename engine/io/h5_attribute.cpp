@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::io::h5 {
 namespace {
 
@@ -96,6 +98,7 @@ herr_t collect(hid_t, const char* name, const H5A_info_t*, void* names) {
 }  // namespace
 
 void set_attribute(Group& group, std::string_view object, std::string_view name, const Value& value) {
+    SG_EXPECT(!object.empty() && !name.empty());
     const std::string target(object), label(name);
     if (has_attribute(group, object, name))
         H5Adelete_by_name(group.id(), target.c_str(), label.c_str(), H5P_DEFAULT);

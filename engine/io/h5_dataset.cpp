@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "base/contracts.hpp"
 #include "io/h5_attribute.hpp"
 
 namespace sandgraph::io::h5 {
@@ -39,6 +40,10 @@ hid_t native<std::uint8_t>() {
 }
 
 constexpr hsize_t chunk_rows = 4096;
+
+std::size_t product(const Shape& shape) {
+    return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
 
 std::vector<hsize_t> to_hsize(const Shape& shape) { return {shape.begin(), shape.end()}; }
 
@@ -124,7 +129,7 @@ std::size_t entries(const Group& group, std::string_view name, const Handle& dat
     if (bytes > most_packed * static_cast<double>(H5Dget_storage_size(dataset.get())) + fixed)
         refuse(group, "the dataset " + group.path_of(name) + " is damaged",
                "it declares more entries than it can hold");
-    return std::accumulate(dims.begin(), dims.end(), std::size_t{1}, std::multiplies<>());
+    return product(dims);
 }
 
 }  // namespace
@@ -132,6 +137,7 @@ std::size_t entries(const Group& group, std::string_view name, const Handle& dat
 template <class T>
 void write(Group& group, std::string_view name, std::span<const T> values, const Shape& shape,
            std::string_view unit, Storage storage) {
+    SG_EXPECT(!name.empty() && !shape.empty() && values.size() == product(shape));
     const std::string label(name);
     const Handle links = own(H5Pcreate(H5P_LINK_CREATE), H5Pclose, group.file(), "create a property list");
     H5Pset_create_intermediate_group(links.get(), 1);
@@ -153,6 +159,7 @@ void append(Group& group, std::string_view name, std::span<const T> values) {
     std::vector<hsize_t> size = to_hsize(shape_of(id)), count = size, start(size.size(), 0);
     start.at(0) = size[0];
     count[0] = values.size() / std::accumulate(size.begin() + 1, size.end(), hsize_t{1}, std::multiplies<>());
+    SG_EXPECT(values.size() == product({count.begin(), count.end()}));  // whole rows
     size[0] += count[0];
     check(H5Dset_extent(id.get(), size.data()), group.file(), action);
     const int axes = static_cast<int>(size.size());

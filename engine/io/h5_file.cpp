@@ -1,8 +1,10 @@
 #include "io/h5_file.hpp"
 
+#include <bit>
 #include <fstream>
 #include <string_view>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 
 namespace sandgraph::io::h5 {
@@ -49,6 +51,7 @@ void require_hdf5(const std::filesystem::path& path) {
 }  // namespace
 
 File File::create(const std::filesystem::path& path, unsigned user_block) {
+    SG_EXPECT(user_block == 0 || (user_block >= 512 && std::has_single_bit(user_block)));
     silence();
     const Handle layout = own(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path.string(), "create a property list");
     if (user_block > 0)
@@ -77,6 +80,7 @@ Group File::root() const {
 }
 
 void File::close() {
+    SG_EXPECT(id_.get() >= 0);  // once
     check(H5Fflush(id_.get(), H5F_SCOPE_GLOBAL), name_, "write the file");
     id_ = Handle();
 }

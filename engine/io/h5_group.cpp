@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 
 namespace sandgraph::io::h5 {
@@ -30,6 +31,7 @@ std::string Group::path_of(std::string_view name) const {
 }
 
 Group Group::create(std::string_view name) {
+    SG_EXPECT(!name.empty() && id_.get() >= 0);
     const std::string text(name);
     Handle id =
         own(H5Gcreate2(id_.get(), text.c_str(), intermediate_groups().get(), H5P_DEFAULT, H5P_DEFAULT),

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
 #include "stress/surrogate.hpp"
 
@@ -89,6 +90,7 @@ struct HistoryLog {
     std::vector<std::size_t> begin;  // [histories + 1]: rows begin[h] .. begin[h + 1] - 1 are of history h
 
     std::span<const HistoryRow> of(std::size_t history) const {
+        SG_EXPECT(history + 1 < begin.size());
         return std::span(rows).subspan(begin[history], begin[history + 1] - begin[history]);
     }
 };
@@ -101,7 +103,11 @@ std::span<const char* const> names(HistoryPath);
 std::span<const char* const> names(HistoryTwin);
 template <class Enum>
 const char* name(Enum value) {
+    SG_EXPECT(static_cast<std::size_t>(value) < names(value).size());
     return names(value)[static_cast<std::size_t>(value)];
 }
+
+// Counts for people: packings by density, histories and updates by path, twins.
+std::string history_overview(const HistoryLog& log);
 
 }  // namespace sandgraph::io

@@ -43,7 +43,7 @@ void columns(std::type_identity<HistoryPacking>, Visit&& visit) {
     visit("coordination", "-", traits, &PackingTraits::coordination);
     visit("fabric_xx", "-", traits, &PackingTraits::fabric_xx);
     visit("fabric_xy", "-", traits, &PackingTraits::fabric_xy);
-    visit("strength", "-", traits, &PackingTraits::strength);
+    visit("strength", "-", traits, &PackingTraits::peak_friction);
     visit("stress", "Pa", &HistoryPacking::stress);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/contracts.hpp"
 #include "io/atomic_file.hpp"
 #include "io/content.hpp"
 #include "io/h5_file.hpp"
@@ -92,6 +93,7 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& path, const HistorySou
 HistoryWriter::~HistoryWriter() = default;
 
 void HistoryWriter::append(std::span<const HistoryRow> rows) {
+    SG_EXPECT(file_ != nullptr);
     for (const HistoryRow& row : rows) {
         pending_.push_back(row);
         if (pending_.size() == block) write_pending();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/byte_stream.hpp"
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/h5_table.hpp"
@@ -64,6 +65,7 @@ void HistoryJournal::cut_back() const {
 }
 
 void HistoryJournal::append(std::span<const HistoryRow> rows) {
+    SG_EXPECT(out_.is_open());
     std::vector<std::uint8_t> bytes;
     bytes.reserve(rows.size() * row_bytes());
     ByteWriter out(bytes);

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "io/content.hpp"
 #include "io/h5_attribute.hpp"
 #include "io/h5_dataset.hpp"
 #include "io/h5_file.hpp"
+#include "io/history.hpp"
 #include "io/history_file.hpp"
-#include "io/history_overview.hpp"
-#include "io/seal.hpp"
 
 namespace sandgraph::io {
 namespace {

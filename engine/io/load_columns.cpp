@@ -10,8 +10,8 @@ namespace {
 constexpr std::array<LoadColumn, 10> columns{{
     {"d_over_B", "d_over_B", "-", &LoadRow::d_over_B},
     {"load", "load_N_per_m", "N/m", &LoadRow::load},
-    {"top", "top_N_per_m", "N/m", &LoadRow::top},
-    {"bottom", "bottom_N_per_m", "N/m", &LoadRow::bottom},
+    {"top", "top_N_per_m", "N/m", &LoadRow::leading},
+    {"bottom", "bottom_N_per_m", "N/m", &LoadRow::trailing},
     {"time", "time_s", "s", &LoadRow::time},
     {"kinetic_energy", "kinetic_energy_J_per_m", "J/m", &LoadRow::kinetic_energy},
     {"strain_work", "strain_work_J_per_m", "J/m", &LoadRow::strain_work},

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/contracts.hpp"
 #include "io/atomic_file.hpp"
 #include "io/load_columns.hpp"
 
@@ -35,6 +36,7 @@ LoadCsv::~LoadCsv() {
 }
 
 void LoadCsv::append(const LoadRow& row) {
+    SG_EXPECT(fd_ >= 0);
     const std::string line = load_csv_line(row) + '\n';
     if (::write(fd_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
         throw std::system_error(errno, std::generic_category(), path_.string() + ": cannot write");

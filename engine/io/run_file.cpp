@@ -4,10 +4,11 @@
 
 #include <algorithm>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
-#include "io/frame_group.hpp"
+#include "io/frame.hpp"
 #include "io/h5_file.hpp"
 #include "io/history_journal.hpp"
 #include "io/xdmf.hpp"
@@ -101,6 +102,7 @@ void RunFile::follow(const std::vector<RegionSeries>& regions) {
 }
 
 void RunFile::append(const std::vector<RegionRow>& rows) {
+    SG_EXPECT(rows.size() == record_.regions.size());
     for (std::size_t k = 0; k < rows.size(); ++k) record_.regions[k].rows.push_back(rows[k]);
 }
 
@@ -116,6 +118,7 @@ void RunFile::commit() {
     target.commit();
     record_.frames += pending_.size();
     pending_.clear();
+    SG_ENSURE(fs::exists(path()));
     write_xdmf(folder_ / "fields.xdmf", path());
     if (!record_.regions.empty()) write_text(folder_ / "regions.csv", region_csv(record_.regions));
 }

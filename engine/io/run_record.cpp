@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "io/content.hpp"
-#include "io/frame_group.hpp"
+#include "io/frame.hpp"
 #include "io/h5_attribute.hpp"
 #include "io/h5_dataset.hpp"
 #include "io/h5_file.hpp"

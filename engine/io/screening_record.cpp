@@ -4,8 +4,10 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <sstream>
 
+#include "base/contracts.hpp"
 #include "io/h5_attribute.hpp"
 #include "io/h5_dataset.hpp"
 
@@ -63,6 +65,9 @@ void visit_audits(Visit&& visit) {
 
 void write_screening(h5::Group& root, const ScreeningRecord& record) {
     if (record.empty()) return;
+    SG_EXPECT(std::ranges::all_of(record.switches, [&](const Switch& s) {
+        return static_cast<std::size_t>(s.reason) < record.reasons.size();
+    }));
     h5::Group switches = root.create("switches"), audit = root.create("audit");
     h5::set_attribute(switches, ".", "reasons", fmt::format("{}", fmt::join(record.reasons, "\n")));
     visit_switches([&](const char* name, auto member, const char* unit) {

@@ -18,7 +18,7 @@ void visit_keys(S& s, Visit&& visit) {
     visit("dem_steps", s.dem_steps), visit("rve_updates", s.rve_updates);
     visit("surrogate_updates", s.surrogate_updates);
     visit("dem_fraction_final", s.dem_fraction_final), visit("dem_fraction_mean", s.dem_fraction_mean);
-    visit("peak_load_N_per_m", s.peak_load), visit("peak_d_over_B", s.peak_d_over_B);
+    visit("peak_load_N_per_m", s.breakout_load), visit("peak_d_over_B", s.breakout_d_over_B);
     visit("n_gamma", s.n_gamma), visit("n_gamma_meyerhof_adams", s.n_gamma_meyerhof_adams);
     visit("n_gamma_biarez", s.n_gamma_biarez), visit("late_load_N_per_m", s.late_load);
     visit("kinetic_to_strain_energy_max", s.kinetic_to_strain_energy_max);

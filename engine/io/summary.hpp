@@ -16,7 +16,7 @@ struct Summary {
     double wall_s = 0, cpu_s = 0;
     std::int64_t dem_steps = 0, rve_updates = 0, surrogate_updates = 0;
     double dem_fraction_final = unknown, dem_fraction_mean = unknown;
-    double peak_load = unknown, peak_d_over_B = unknown;  // [N/m], -
+    double breakout_load = unknown, breakout_d_over_B = unknown;  // [N/m], -
     double n_gamma = unknown, n_gamma_meyerhof_adams = unknown, n_gamma_biarez = unknown;
     double late_load = unknown;                     // [N/m]
     double kinetic_to_strain_energy_max = unknown;  // of the ground, over what the plate has put into it

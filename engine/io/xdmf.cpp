@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "base/text.hpp"
 #include "io/atomic_file.hpp"
 #include "io/h5_attribute.hpp"
 #include "io/h5_dataset.hpp"
@@ -13,30 +14,13 @@
 namespace sandgraph::io {
 namespace {
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
-
 std::string data_item(const std::string& file, const h5::Group& frame, const std::string& name) {
     std::string dimensions;
     for (const std::size_t n : h5::shape(frame, name))
         dimensions += fmt::format("{}{}", dimensions.empty() ? "" : " ", n);
     return fmt::format(
         R"(<DataItem Dimensions="{}" NumberType="Float" Precision="8" Format="HDF">{}:{}</DataItem>)",
-        dimensions, escaped(file), escaped(frame.path_of(name)));
+        dimensions, xml_escaped(file), xml_escaped(frame.path_of(name)));
 }
 
 std::string attribute(const std::string& file, const h5::Group& frame, const std::string& name) {
@@ -45,7 +29,7 @@ std::string attribute(const std::string& file, const h5::Group& frame, const std
     return fmt::format(
         "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n          {}\n        "
         "</Attribute>\n",
-        escaped(name), type, data_item(file, frame, name));
+        xml_escaped(name), type, data_item(file, frame, name));
 }
 
 std::string grid(const std::string& file, const h5::Group& frame, const std::string& name) {

@@ -6,8 +6,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "dem/element_test/csv.hpp"
-#include "dem/element_test/strength.hpp"
+#include "dem/element_test/element_test.hpp"
 #include "dem/rve_options.hpp"
 #include "dem/time_step.hpp"
 #include "laboratory/rve_path.hpp"
@@ -34,7 +33,7 @@ std::string summary(const dem::ElementRow& last) {
 }
 
 std::string summary(const std::vector<dem::BiaxialRow>& rows) {
-    const dem::PeakStrength peak = dem::peak_strength(rows);
+    const dem::PeakFriction peak = dem::peak_friction(rows);
     return fmt::format("{}; peak within 10 %: {:.2f} deg at eps_a = {:.2f} %", summary(rows.back()),
                        peak.friction_angle * 180 / std::numbers::pi, 100 * peak.axial_strain);
 }

@@ -3,9 +3,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <atomic>
-#include <mutex>
-
+#include "base/console.hpp"
 #include "base/revision.hpp"
 #include "io/history_file.hpp"
 #include "laboratory/run_probe.hpp"
@@ -19,17 +17,13 @@ constexpr std::size_t kBatch = 64;  // histories (with their twins) held in memo
 
 // Runs job(0) ... job(count - 1) in parallel and tells how far it is.
 template <class Job>
-void each(std::size_t count, const ProgressCallback& progress, std::string_view stage, double from, double to,
-          Job&& job) {
-    std::atomic<std::size_t> done{0};
-    std::mutex telling;
+void each(std::size_t count, Tally& tally, std::string_view stage, Job&& job) {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const auto& range) {
             for (std::size_t k = range.begin(); k < range.end(); ++k) {
                 job(k);
-                const std::lock_guard lock(telling);
-                if (progress) progress(stage, from + (to - from) * double(++done) / double(count));
+                tally.done(stage);
             }
         },
         tbb::simple_partitioner());
@@ -40,7 +34,8 @@ std::vector<ProbeSample> prepare(const ProbePlan& plan, const scene::ProbeSpec& 
                                  const ProgressCallback& progress) {
     std::vector<ProbeSample> samples(plan.packings.size());
     const auto pressures = static_cast<std::size_t>(spec.packings.pressures);
-    each(samples.size() / pressures, progress, "packings", 0, 1, [&](std::size_t base) {
+    Tally tally(samples.size() / pressures, progress);
+    each(samples.size() / pressures, tally, "packings", [&](std::size_t base) {
         tbb::this_task_arena::isolate([&] {
             const packings::CompressedPackings packings(plan.packings[base * pressures].grains);
             const double friction = packings.friction();
@@ -69,10 +64,11 @@ void write_probe(const scene::ProbeSpec& spec, const std::filesystem::path& out,
     io::HistoryWriter writer(out, {"probe", spec.text, version(), revision()}, described(plan, samples),
                              plan.histories);
     const std::size_t jobs = plan.jobs.size();
+    Tally tally(jobs, progress);
     for (std::size_t begin = 0; begin < jobs; begin += kBatch) {
         const std::size_t end = std::min(begin + kBatch, jobs);
         std::vector<std::vector<io::HistoryRow>> rows(end - begin);
-        each(end - begin, progress, "strain paths", double(begin) / double(jobs), double(end) / double(jobs),
+        each(end - begin, tally, "strain paths",
              [&](std::size_t k) { rows[k] = run_probe(plan.jobs[begin + k], plan, samples, spec); });
         for (const auto& of_job : rows) writer.append(of_job);
     }

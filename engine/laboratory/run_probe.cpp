@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/packing/observe.hpp"
+#include "dem/rve.hpp"
 #include "dem/stretch.hpp"
 #include "packings/history_row.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/element_test/strength.hpp"
+#include "dem/element_test/element_test.hpp"
 #include "dem/prepare/prepare.hpp"
 
 namespace sandgraph::laboratory {

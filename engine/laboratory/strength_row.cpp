@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dem/element_test/strength.hpp"
+#include "dem/element_test/element_test.hpp"
 
 namespace sandgraph::laboratory {
 namespace {
@@ -28,9 +28,9 @@ void add_late(StrengthRow& row, const std::vector<dem::BiaxialRow>& test) {
 
 StrengthRow strength_row(const Specimen& specimen) {
     StrengthRow row{specimen.density, specimen.seed, specimen.porosity, specimen.coordination};
-    std::vector<dem::PeakStrength> peaks;
+    std::vector<dem::PeakFriction> peaks;
     for (std::size_t k = 0; k < specimen.tests.size(); ++k) {
-        peaks.push_back(dem::peak_strength(specimen.tests[k]));
+        peaks.push_back(dem::peak_friction(specimen.tests[k]));
         row.peak[k] = peaks.back().friction_angle;
         add_late(row, specimen.tests[k]);
     }

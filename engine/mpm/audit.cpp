@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 
 double total_mass(const Points& points) {
@@ -22,6 +24,7 @@ double angular_momentum(const Points& points) {
 }
 
 double kinetic_energy(const Points& points, double mass_scaling) {
+    SG_EXPECT(mass_scaling > 0);
     double sum = 0;
     for (std::size_t p = 0; p < points.size(); ++p)
         sum += points.mass[p] * (points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p]);
@@ -36,6 +39,7 @@ double gravity_potential(const Points& points, const Vec2& gravity) {
 }
 
 double stress_work(const Points& points) {
+    SG_EXPECT(points.F_inc.size() == points.size() && points.stress.size() == points.size());
     double sum = 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
         const Mat2& F = points.F_inc[p];

@@ -1,5 +1,8 @@
 #include "mpm/boundary.hpp"
 
+#include "base/contracts.hpp"
+#include "mpm/stencil.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -73,12 +76,28 @@ void fix_edge(Field& field, const Edge& e, double dt) {
 }  // namespace
 
 void fold(Field& field, const GridShape& shape, const Boundaries& boundaries) {
+    SG_EXPECT(field.box.empty() || field.nodes.size() == shape.size());
     for_sides(field, shape, boundaries, Side::mirror, [&](const Edge& e) { fold_edge(field, e); });
 }
 
 void constrain(Field& field, const GridShape& shape, const Boundaries& boundaries, double dt) {
+    SG_EXPECT(dt > 0);
+    SG_EXPECT(field.box.empty() || field.motion.size() == shape.size());
     for_sides(field, shape, boundaries, Side::fixed, [&](const Edge& e) { fix_edge(field, e, dt); });
     for_sides(field, shape, boundaries, Side::mirror, [&](const Edge& e) { mirror_edge(field, e); });
+}
+
+void add_surcharge(double q, const Points& points, Grid& grid) {
+    SG_EXPECT(q >= 0 && all_below(points.surface, points.size()));
+    const GridShape& s = grid.shape;
+    const double half = points.half;
+    for (const auto id : points.surface) {
+        const auto p = static_cast<std::size_t>(id);
+        const double x = points.x[p] - s.x0, y = points.y[p] - s.y0;
+        const Stencil top = stencil(grid, average(x - half, x + half, s.cell), at(y + half, s.cell),
+                                    points.x[p], points.y[p]);
+        spread(grid, top, 0, -q * 2 * half);
+    }
 }
 
 }  // namespace sandgraph::mpm

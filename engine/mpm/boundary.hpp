@@ -1,5 +1,6 @@
 #pragma once
 #include "mpm/grid.hpp"
+#include "mpm/points.hpp"
 
 namespace sandgraph::mpm {
 
@@ -16,5 +17,10 @@ void fold(Field& field, const GridShape& shape, const Boundaries& boundaries);
 
 // After the update: velocity and acceleration on the sides and their ghost nodes, such that v_old + dt a = v.
 void constrain(Field& field, const GridShape& shape, const Boundaries& boundaries, double dt);
+
+// A pressure q [Pa] on the ground surface, a dead load: each surface point carries q times its initial width
+// down. It acts on the top edge of the point's domain, where uniform GIMP's internal force ends, so that a
+// point under the stress -q balances it exactly. After points_to_grid, before update_grid.
+void add_surcharge(double q, const Points& points, Grid& grid);
 
 }  // namespace sandgraph::mpm

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 
 namespace sandgraph::mpm {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 double along(Face face, const Vec2& v) { return horizontal(face) ? v.x() : v.y(); }
 Vec2 tangent(Face face) { return horizontal(face) ? Vec2(1, 0) : Vec2(0, 1); }
 
-// A point that changed its face, or that did not touch, has no history.
+// A point that changed its face, or that was in no contact, has no history.
 void remember(Contact& contact, std::size_t p, Face face) {
     if (contact.face[p] == static_cast<std::uint8_t>(face)) return;
     contact.face[p] = static_cast<std::uint8_t>(face);
@@ -19,7 +20,8 @@ void remember(Contact& contact, std::size_t p, Face face) {
 }
 
 // Force on the soil [N/m]; slips the spring where Coulomb's limit is reached.
-Vec2 force(const RigidPlate& plate, const Touch& t, double& slip) {
+Vec2 force(const RigidPlate& plate, const ContactPoint& t, double& slip) {
+    SG_EXPECT(t.penetration > 0 && t.length > 0);  // never tension
     const double limit = std::tan(plate.friction_angle) * t.penetration;
     slip = std::clamp(slip, -limit, limit);
     const double k = plate.stiffness * t.length;
@@ -37,24 +39,27 @@ Contact make_contact(std::size_t points) {
 
 void add_contact(const RigidPlate& plate, const Points& points, const Order& order, Grid& grid,
                  Contact& contact) {
-    contact.touches.clear();
+    SG_EXPECT(contact.slip.size() == points.size() && contact.face.size() == points.size());
+    SG_EXPECT(plate.stiffness > 0 || order.near.empty());
+    contact.points.clear();
     contact.reaction = {};
     for (const auto id : order.near) {
-        const Touch touch = find_touch(plate, points, id, grid);
+        const ContactPoint contact_point = find_contact_point(plate, points, id, grid);
         const auto p = static_cast<std::size_t>(id);
-        remember(contact, p, touch.face);
-        if (touch.face == Face::none) continue;
-        const Vec2 f = force(plate, touch, contact.slip[p]);
-        spread(grid, touch.reach, f.x(), f.y());
-        contact.reaction.on[static_cast<std::size_t>(touch.face)] -= f;
-        contact.touches.push_back(touch);
+        remember(contact, p, contact_point.face);
+        if (contact_point.face == Face::none) continue;
+        const Vec2 f = force(plate, contact_point, contact.slip[p]);
+        spread(grid, contact_point.stencil, f.x(), f.y());
+        contact.reaction.on[static_cast<std::size_t>(contact_point.face)] -= f;
+        contact.points.push_back(contact_point);
     }
 }
 
 void advance_slip(const RigidPlate& plate, const Grid& grid, double dt, Contact& contact) {
-    for (const Touch& t : contact.touches)
+    SG_EXPECT(dt > 0);
+    for (const ContactPoint& t : contact.points)
         contact.slip[static_cast<std::size_t>(t.point)] +=
-            dt * along(t.face, velocity(grid, t.reach) - plate.velocity);
+            dt * along(t.face, velocity(grid, t.stencil) - plate.velocity);
 }
 
 void archive(Archive& a, Contact& contact) {

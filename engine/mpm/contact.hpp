@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "mpm/contact_point.hpp"
 #include "mpm/order.hpp"
-#include "mpm/touch.hpp"
 
 namespace sandgraph::mpm {
 
@@ -18,16 +18,16 @@ struct Reaction {
 // Weak-form penalty contact between the points' domains and the plate: pressure k_a times penetration, never
 // tension; elastic-frictional shear k_a times slip, limited by tan(friction) times the pressure.
 struct Contact {
-    std::vector<double> slip;        // by point id: elastic slip of the soil along its face [m]
-    std::vector<std::uint8_t> face;  // by point id: the Face it touched last step
-    std::vector<Touch> touches;      // of this step, by id
-    Reaction reaction;               // of this step
+    std::vector<double> slip;          // by point id: elastic slip of the soil along its face [m]
+    std::vector<std::uint8_t> face;    // by point id: the Face it was in contact with last step
+    std::vector<ContactPoint> points;  // of this step, by id
+    Reaction reaction;                 // of this step
 };
 
 Contact make_contact(std::size_t points);
 
-// Finds the touching points among order.near and adds their forces to the grid AT THE CONTACT: hat functions
-// on the domain's edge, averaged over the touching length. Uniform GIMP ends its internal force there, so
+// Finds the contact points among order.near and adds their forces to the grid AT THE CONTACT: hat functions
+// on the domain's edge, averaged over the length in contact. Uniform GIMP ends its internal force there, so
 // that a point under uniform stress balances the plate wherever the grid lies. After points_to_grid, before
 // update_grid.
 void add_contact(const RigidPlate& plate, const Points& points, const Order& order, Grid& grid,

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 
 Grid::Grid(const GridShape& grid_shape) : shape(grid_shape) {
+    SG_EXPECT(shape.cell > 0 && shape.nx > 0 && shape.ny > 0);
     fields[0].nodes.resize(shape.size());
     fields[0].motion.resize(shape.size());
     fields[0].box = whole(shape);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/tensor.hpp"
-#include "mpm/divide.hpp"
+#include "mpm/enrichment.hpp"
 
 namespace sandgraph::mpm {
 
@@ -29,8 +29,8 @@ struct GridShape {
     }
 };
 
-// Sums over the points that reach a node; one cache line, so that a point adds to it with one or two vector
-// FMAs.
+// Sums over the points whose stencil holds the node; one cache line, so that a point adds to it with one or
+// two vector FMAs.
 struct alignas(64) Node {
     double mass = 0;        // [kg/m], gravity mass: mass scaling enters at the grid update only
     double px = 0, py = 0;  // momentum [kg/s]
@@ -41,12 +41,6 @@ struct alignas(64) Node {
 // What the points read back: velocity after the update [m/s] and acceleration of the step [m/s2].
 struct alignas(32) Motion {
     double vx = 0, vy = 0, ax = 0, ay = 0;
-};
-
-// Nodes [i0, i1] x [j0, j1]; empty if i1 < i0.
-struct NodeBox {
-    int i0 = 0, j0 = 0, i1 = -1, j1 = -1;
-    bool empty() const { return i1 < i0 || j1 < j0; }
 };
 
 // One single-valued velocity field. The second field of a grid lives on the nodes around the rigid plate
@@ -62,8 +56,8 @@ inline constexpr NodeBox whole(const GridShape& s) { return {-1, -1, s.nx + 1, s
 struct Grid {
     explicit Grid(const GridShape& grid_shape);
     GridShape shape;
-    std::array<Field, 2> fields;  // 0: the ground; 1: what lies across the divide from the node
-    Divide divide;                // where the two fields part; inactive without a plate
+    std::array<Field, 2> fields;  // 0: the ground; 1: what lies across the cut from an enriched node
+    Enrichment enrichment;        // where the two fields part; inactive without a plate
     double point_mass = 0;        // of one point, to tell a node's mass from round-off [kg/m]
 };
 

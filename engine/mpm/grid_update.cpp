@@ -5,10 +5,13 @@
 
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
-// Lighter nodes are at rest: a weight of 1e-14 is round-off of a point's reach, its velocity would be noise.
+// Lighter nodes are at rest: a weight of 1e-14 is round-off at the end of a stencil, its velocity would be
+// noise.
 constexpr double mass_floor = 1e-14;
 
 struct Factors {
@@ -54,6 +57,8 @@ void update_field(const GridStep& step, const GridShape& shape, const Factors& k
 }  // namespace
 
 void update_grid(const GridStep& step, Grid& grid) {
+    SG_EXPECT(step.dt > 0 && step.mass_scaling > 0);
+    SG_EXPECT(step.damping >= 0 && step.damping < 1);
     const Factors k = {step.dt,      step.gravity.x(),      step.gravity.y(),
                        step.damping, 1 / step.mass_scaling, mass_floor * grid.point_mass};
     for (Field& field : grid.fields) update_field(step, grid.shape, k, field);

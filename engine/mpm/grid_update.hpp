@@ -13,7 +13,9 @@ struct GridStep {
 };
 
 // v = p/m, f += m g, f -= alpha |f| sign(v + dt f/(s m)) by component, a = f/(s m), v += dt a, then the
-// boundaries. Contact and surcharge forces are in f already, so that damping sees the unbalanced force alone.
+// boundaries. Nodes too light to have a velocity beyond round-off stay at rest. dt, mass_scaling > 0 and
+// 0 <= damping < 1. Contact and surcharge forces are in f already, so that damping sees the unbalanced force
+// alone.
 void update_grid(const GridStep& step, Grid& grid);
 
 }  // namespace sandgraph::mpm

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -29,6 +31,8 @@ void add_row(const Layout& layout, Points& points, double y, std::int32_t row) {
 }  // namespace
 
 Points lay_out(const Layout& layout) {
+    SG_EXPECT(layout.cell > 0 && layout.points_per_cell > 0 && layout.density > 0);
+    SG_EXPECT(layout.ground.x1 > layout.ground.x0 && layout.ground.y1 > layout.ground.y0);
     Points points;
     points.half = 0.5 * layout.cell / std::sqrt(static_cast<double>(layout.points_per_cell));
     const double spacing = 2 * points.half;
@@ -41,6 +45,7 @@ Points lay_out(const Layout& layout) {
     std::fill(points.volume0.begin(), points.volume0.end(), spacing * spacing);
     points.volume = points.volume0;
     std::fill(points.mass.begin(), points.mass.end(), layout.density * spacing * spacing);
+    SG_ENSURE(points.row.size() == points.size() && all_below(points.surface, points.size()));
     return points;
 }
 

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -19,13 +21,13 @@ void require_inside(const Points& points, const GridShape& shape) {
 // True when the set changed.
 bool mark_near(Order& order, const Points& points, const Grid& grid) {
     const bool sized = order.is_near.size() == points.size();
-    if (!grid.divide.active && sized && order.near.empty()) return false;
-    const Rectangle reach = grid.divide.reach(grid.shape.cell, points.half);
+    if (!grid.enrichment.active && sized && order.near.empty()) return false;
+    const Rectangle box = grid.enrichment.surroundings(grid.shape.cell, points.half);
     std::uint8_t changed = sized ? 0 : 1;
     order.is_near.resize(points.size());
     for (std::size_t p = 0; p < points.size(); ++p) {
         const double x = points.x[p], y = points.y[p];
-        const std::uint8_t inside = (x > reach.x0) & (x < reach.x1) & (y > reach.y0) & (y < reach.y1);
+        const std::uint8_t inside = (x > box.x0) & (x < box.x1) & (y > box.y0) & (y < box.y1);
         changed |= order.is_near[p] ^ inside;
         order.is_near[p] = inside;
     }
@@ -60,11 +62,13 @@ void sort(Order& order, const Points& points, const GridShape& shape) {
 }  // namespace
 
 void refresh(Order& order, const Points& points, const Grid& grid) {
+    SG_EXPECT(points.half > 0 && points.half <= 0.5 * grid.shape.cell * (1 + 1e-12));
     const bool near_changed = mark_near(order, points, grid);
     if (!near_changed && !order.stale) return;
     require_inside(points, grid.shape);
     sort(order, points, grid.shape);
     order.stale = false;
+    SG_ENSURE(order.ids.size() + order.near.size() == points.size());
 }
 
 }  // namespace sandgraph::mpm

@@ -8,12 +8,12 @@
 
 namespace sandgraph::mpm {
 
-// Fixed bands of cell rows. Bands of one colour (even, odd) touch no common node, so that they may run at
+// Fixed bands of cell rows. Bands of one colour (even, odd) share no node, so that they may run at
 // once and every node still sums in one order. A pure function of the positions: a restart rebuilds it.
 struct Order {
     std::vector<std::int32_t> ids;  // band after band, by id within a band; without the points near the plate
     std::vector<std::int32_t> first;  // band b holds ids[first[b]] .. ids[first[b + 1] - 1]
-    std::vector<std::int32_t> near;   // points whose stencil may cross the divide, by id
+    std::vector<std::int32_t> near;   // points whose stencil may hold an enriched node, by id
     std::vector<std::uint8_t> is_near;
     bool stale = true;  // a point left its band since the last refresh
 
@@ -22,7 +22,7 @@ struct Order {
 
 inline constexpr int band_rows = 8;
 
-// First of the three node rows that a point reaches. The transfer kernels use the same expression.
+// First of the three node rows in a point's stencil. The transfer kernels use the same expression.
 inline double base_row(const GridShape& shape, double half, double y) {
     return std::floor((y - half - shape.y0) * (1 / shape.cell));
 }

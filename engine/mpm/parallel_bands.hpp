@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "base/contracts.hpp"
 #include "mpm/order.hpp"
 
 namespace sandgraph::mpm {
@@ -11,6 +12,7 @@ namespace sandgraph::mpm {
 inline constexpr std::size_t serial_limit = 1500;
 
 inline std::span<const std::int32_t> band(const Order& order, std::size_t b) {
+    SG_EXPECT(b < order.bands());
     const auto from = static_cast<std::size_t>(order.first[b]),
                to = static_cast<std::size_t>(order.first[b + 1]);
     return std::span(order.ids).subspan(from, to - from);
@@ -19,6 +21,7 @@ inline std::span<const std::int32_t> band(const Order& order, std::size_t b) {
 // f(ids of the band) for bands first, first + step, ...; at once if the order is long enough.
 template <class F>
 void for_bands(const Order& order, std::size_t first, std::size_t step, F f) {
+    SG_EXPECT(step > 0 && !order.stale);
     const auto run = [&](std::size_t b) {
         if (const auto ids = band(order, b); !ids.empty()) f(ids);
     };

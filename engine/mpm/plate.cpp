@@ -1,8 +1,11 @@
 #include "mpm/plate.hpp"
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 
-Divide divide_of(const RigidPlate& plate) {
+Enrichment enrichment_of(const RigidPlate& plate) {
+    SG_EXPECT(plate.half_width >= 0 && plate.half_height >= 0);
     const bool along_x = plate.half_width >= plate.half_height;
     const double middle = along_x ? plate.x : plate.y, half = along_x ? plate.half_width : plate.half_height;
     return {true,

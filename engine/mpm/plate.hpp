@@ -1,7 +1,8 @@
 #pragma once
 #include "base/archive.hpp"
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
-#include "mpm/divide.hpp"
+#include "mpm/enrichment.hpp"
 #include "mpm/rectangle.hpp"
 
 namespace sandgraph::mpm {
@@ -34,11 +35,12 @@ struct RigidPlate {
 
 // k_a = factor M / cell [Pa/m], M: P-wave modulus of the ground [Pa].
 inline double contact_stiffness(double factor, double p_wave_modulus, double cell) {
+    SG_EXPECT(factor > 0 && p_wave_modulus > 0 && cell > 0);
     return factor * p_wave_modulus / cell;
 }
 
 // The mid-plane along the plate's long side.
-Divide divide_of(const RigidPlate& plate);
+Enrichment enrichment_of(const RigidPlate& plate);
 
 // Moves the centre by dt velocity.
 void advance(RigidPlate& plate, double dt);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 namespace {
 
@@ -42,6 +44,7 @@ void resize(Points& points, std::size_t count) {
     points.F_inc.resize(count, Mat2::Identity());
     points.stress.resize(count);
     points.row.resize(count);
+    SG_ENSURE(points.size() == count && points.F.size() == count && points.stress.size() == count);
 }
 
 void archive(Archive& a, Points& points) {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 
 // Weights of three successive nodes base, base + 1, base + 2 along one axis.
@@ -16,6 +18,7 @@ struct Weights {
 // b] of at most one cell: S_i = int_a^b N_i dx / (b - a), dS_i/dx = (N_i(b) - N_i(a)) / (b - a). `a`, `b` [m]
 // from the grid's origin. With t in cells from the base node, N_0 = max(0, 1 - t), N_2 = max(0, t - 1).
 inline Weights average(double a, double b, double cell) {
+    SG_EXPECT(b > a && b - a <= cell * (1 + 1e-9));
     Weights w;
     const double cells = std::floor(a / cell);
     w.base = static_cast<int>(cells);
@@ -27,11 +30,13 @@ inline Weights average(double a, double b, double cell) {
     w.dS[0] = (nb - na) / (b - a);
     w.dS[2] = mb / (b - a);
     w.dS[1] = -(w.dS[0] + w.dS[2]);
+    SG_ENSURE(w.S[0] >= 0 && w.S[1] >= -1e-9 && w.S[2] >= 0);
     return w;
 }
 
 // The hat functions themselves at one coordinate [m] from the grid's origin (dS unset).
 inline Weights at(double a, double cell) {
+    SG_EXPECT(cell > 0);
     Weights w;
     const double cells = std::floor(a / cell);
     w.base = static_cast<int>(cells);

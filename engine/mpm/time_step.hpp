@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::mpm {
 
 // Numerical settings of a step, with their only defaults: the scene's keys [mpm] bind to these members.
@@ -27,6 +29,8 @@ inline double crossing_time(const Scheme& scheme, const Medium& m) {
 // adds 4 kappa to (omega cell / c)^2 of the grid, 4. The bound keeps dt omega at 0.9: undamped ground stays
 // bounded over 10,000 steps at 0.95 and gains energy at 1 (tests/stability, step.limit).
 inline double time_step(const Scheme& scheme, const Medium& m) {
+    SG_EXPECT(scheme.courant > 0 && scheme.mass_scaling > 0 && scheme.contact_stiffness >= 0);
+    SG_EXPECT(m.cell > 0 && m.p_wave_modulus > 0 && m.density > 0);
     return crossing_time(scheme, m) *
            std::min(scheme.courant, 0.45 / std::sqrt(1 + scheme.contact_stiffness));
 }

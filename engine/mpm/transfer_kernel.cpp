@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/contracts.hpp"
 #include "mpm/advance_point.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -124,11 +125,14 @@ HWY_EXPORT(Scatter);
 HWY_EXPORT(Gather);
 
 void scatter(std::span<const std::int32_t> ids, const Points& points, const GridShape& shape, Node* nodes) {
+    SG_EXPECT(nodes != nullptr && all_below(ids, points.size()));
+    SG_EXPECT(points.half <= 0.5 * shape.cell * (1 + 1e-12));
     HWY_DYNAMIC_DISPATCH(Scatter)(ids, points, shape, nodes);
 }
 
 void gather(std::span<const std::int32_t> ids, const GridShape& shape, const Motion* motion,
             const Advance& advance, Points& points) {
+    SG_EXPECT(motion != nullptr && all_below(ids, points.size()));
     HWY_DYNAMIC_DISPATCH(Gather)(ids, shape, motion, advance, points);
 }
 

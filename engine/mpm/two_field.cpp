@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "mpm/advance_point.hpp"
-#include "mpm/reach.hpp"
+#include "mpm/stencil.hpp"
 
 namespace sandgraph::mpm {
 namespace {
 
-// First and last node within reach of [low, high], clipped to the grid. If a ghost node is in use then so is
+// First and last node around [low, high], clipped to the grid. If a ghost node is in use then so is
 // its mirror image, which boundaries read.
 void span_nodes(double low, double high, double cell, int cells, int& first, int& last) {
     first = std::max(-1, static_cast<int>(std::floor(low / cell)));
@@ -18,25 +19,25 @@ void span_nodes(double low, double high, double cell, int cells, int& first, int
     if (last >= cells + 1) first = std::min(first, cells - 1);
 }
 
-NodeBox nodes_around(const Divide& divide, const GridShape& shape) {
+NodeBox nodes_around(const Enrichment& enrichment, const GridShape& shape) {
     NodeBox box;
-    const Rectangle r = inflated(divide.reach(shape.cell, 0.5 * shape.cell), 1.5 * shape.cell);
+    const Rectangle r = inflated(enrichment.surroundings(shape.cell, 0.5 * shape.cell), 1.5 * shape.cell);
     span_nodes(r.x0 - shape.x0, r.x1 - shape.x0, shape.cell, shape.nx, box.i0, box.i1);
     span_nodes(r.y0 - shape.y0, r.y1 - shape.y0, shape.cell, shape.ny, box.j0, box.j1);
     return box;
 }
 
-Reach reach_of(std::size_t p, const Points& points, const Grid& grid) {
+Stencil stencil_of(std::size_t p, const Points& points, const Grid& grid) {
     const GridShape& s = grid.shape;
     const double x = points.x[p], y = points.y[p], half = points.half;
-    return reach(grid, average(x - half - s.x0, x + half - s.x0, s.cell),
-                 average(y - half - s.y0, y + half - s.y0, s.cell), x, y);
+    return stencil(grid, average(x - half - s.x0, x + half - s.x0, s.cell),
+                   average(y - half - s.y0, y + half - s.y0, s.cell), x, y);
 }
 
 void scatter_point(std::size_t p, const Points& points, Grid& grid) {
     const double m = points.mass[p], V = points.volume[p];
     const Stress& s = points.stress[p];
-    const Reach r = reach_of(p, points, grid);
+    const Stencil r = stencil_of(p, points, grid);
     for_each_node(grid, r, [&](unsigned field, std::size_t index, std::size_t i, std::size_t j) {
         const double S = r.x.S[i] * r.y.S[j], dx = r.x.dS[i] * r.y.S[j], dy = r.x.S[i] * r.y.dS[j];
         Node& node = grid.fields[field].nodes[index];
@@ -50,7 +51,7 @@ void scatter_point(std::size_t p, const Points& points, Grid& grid) {
 
 Reading read_point(std::size_t p, const Points& points, const Grid& grid) {
     Reading sum;
-    const Reach r = reach_of(p, points, grid);
+    const Stencil r = stencil_of(p, points, grid);
     for_each_node(grid, r, [&](unsigned field, std::size_t index, std::size_t i, std::size_t j) {
         const double S = r.x.S[i] * r.y.S[j], dx = r.x.dS[i] * r.y.S[j], dy = r.x.S[i] * r.y.dS[j];
         const Motion& m = grid.fields[field].motion[index];
@@ -62,22 +63,25 @@ Reading read_point(std::size_t p, const Points& points, const Grid& grid) {
 
 }  // namespace
 
-void set_divide(Grid& grid, const Divide& divide, double half) {
+void set_enrichment(Grid& grid, const Enrichment& enrichment, double half) {
+    SG_EXPECT(half > 0);
     Field& second = grid.fields[1];
-    grid.divide = divide;
-    grid.divide.margin = grid.shape.cell + half;
-    second.box = divide.active ? nodes_around(divide, grid.shape) : NodeBox{};
-    if (!divide.active || !second.nodes.empty()) return;
+    grid.enrichment = enrichment;
+    grid.enrichment.margin = grid.shape.cell + half;
+    second.box = enrichment.active ? nodes_around(enrichment, grid.shape) : NodeBox{};
+    if (!enrichment.active || !second.nodes.empty()) return;
     second.nodes.resize(grid.shape.size());
     second.motion.resize(grid.shape.size());
 }
 
-void scatter_divided(std::span<const std::int32_t> ids, const Points& points, Grid& grid) {
+void scatter_enriched(std::span<const std::int32_t> ids, const Points& points, Grid& grid) {
+    SG_EXPECT(all_below(ids, points.size()));
     for (const auto p : ids) scatter_point(static_cast<std::size_t>(p), points, grid);
 }
 
-void gather_divided(std::span<const std::int32_t> ids, const Grid& grid, const Advance& advance,
-                    Points& points) {
+void gather_enriched(std::span<const std::int32_t> ids, const Grid& grid, const Advance& advance,
+                     Points& points) {
+    SG_EXPECT(all_below(ids, points.size()));
     for (const auto p : ids) {
         const auto id = static_cast<std::size_t>(p);
         advance_point(read_point(id, points, grid), advance, id, points);

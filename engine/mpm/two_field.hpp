@@ -8,13 +8,13 @@
 namespace sandgraph::mpm {
 
 // Moves the cut with the plate and sizes the second field around it. Before the points' order is refreshed.
-// `half`: of the points' domains [m].
-void set_divide(Grid& grid, const Divide& divide, double half);
+// `half`: of the points' domains [m]. Without an active cut no node is enriched.
+void set_enrichment(Grid& grid, const Enrichment& enrichment, double half);
 
-// The transfers of transfer_kernel.hpp for the few points near the divide, each node in its field; in id
+// The transfers of transfer_kernel.hpp for the few points near the cut, each node in its field; in id
 // order.
-void scatter_divided(std::span<const std::int32_t> ids, const Points& points, Grid& grid);
-void gather_divided(std::span<const std::int32_t> ids, const Grid& grid, const Advance& advance,
-                    Points& points);
+void scatter_enriched(std::span<const std::int32_t> ids, const Points& points, Grid& grid);
+void gather_enriched(std::span<const std::int32_t> ids, const Grid& grid, const Advance& advance,
+                     Points& points);
 
 }  // namespace sandgraph::mpm

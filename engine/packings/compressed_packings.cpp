@@ -52,7 +52,7 @@ stress::PackingTraits CompressedPackings::traits(const graph::RowPacking& row, d
     traits.coordination = seen.coordination;
     traits.fabric_xx = 0.5 * (seen.fabric(0, 0) - seen.fabric(1, 1));
     traits.fabric_xy = seen.fabric(0, 1);
-    traits.strength = std::sin(friction_angle);
+    traits.peak_friction = std::sin(friction_angle);
     return traits;
 }
 

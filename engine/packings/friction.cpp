@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "dem/element_test/strength.hpp"
+#include "dem/element_test/element_test.hpp"
 #include "dem/make_assembly.hpp"
 #include "packings/cache.hpp"
 
@@ -12,14 +12,14 @@ namespace sandgraph::packings {
 namespace {
 
 double run_tests(const dem::Packing& packing, const dem::Material& material) {
-    std::array<dem::PeakStrength, dem::confining_pressures.size()> peaks;
+    std::array<dem::PeakFriction, dem::confining_pressures.size()> peaks;
     const double modulus = dem::typical_modulus(packing, material);
     tbb::parallel_for(std::size_t{0}, peaks.size(), [&](std::size_t k) {
         const auto sample = dem::fast_assemblies()(packing, material);
         const dem::BiaxialTest test{.confining_pressure = dem::confining_pressures[k],
                                     .axial_strain = dem::peak_strain,
                                     .time_step = dem::preparation_time_step(material, packing.r)};
-        peaks[k] = dem::peak_strength(dem::run_biaxial(*sample, test, modulus));
+        peaks[k] = dem::peak_friction(dem::run_biaxial(*sample, test, modulus));
     });
     return dem::friction_angle(peaks);
 }

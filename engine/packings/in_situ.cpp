@@ -2,10 +2,9 @@
 
 #include <tbb/parallel_for.h>
 
-#include <atomic>
 #include <cmath>
-#include <mutex>
 
+#include "base/console.hpp"
 #include "packings/compressed_packings.hpp"
 #include "scene/check_scene.hpp"
 
@@ -24,12 +23,10 @@ std::vector<double> in_situ(const scene::Scene& scene, double density) {
 
 void make_rows(const CompressedPackings& packings, PreparedGround& ground, const ProgressCallback& progress) {
     ground.rows.resize(ground.row_pressure.size());
-    std::atomic<int> done{0};
-    std::mutex telling;
+    Tally tally(ground.rows.size(), progress);
     tbb::parallel_for(std::size_t{0}, ground.rows.size(), [&](std::size_t row) {
         ground.rows[row] = packings.row(ground.row_pressure[row]);
-        const std::lock_guard lock(telling);
-        if (progress) progress("packing of each depth", ++done / static_cast<double>(ground.rows.size()));
+        tally.done("in-situ packings");
     });
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "report/series_colour.hpp"
+#include "report/colour_scale.hpp"
 #include "results/analytic.hpp"
 
 namespace sandgraph::report {

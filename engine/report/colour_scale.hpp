@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,5 +25,11 @@ std::string palette(bool is_signed);
 
 // Of the k-th kind of a list, told apart by lightness and hue; repeats after the sixth.
 const char* kind_colour(std::size_t k);
+
+// Okabe & Ito (2008): distinguishable with colour-vision deficiency.
+inline constexpr std::array<const char*, 7> series_colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                           "#E69F00", "#56B4E9", "#000000"};
+
+inline const char* series_colour(std::size_t k) { return series_colours[k % series_colours.size()]; }
 
 }  // namespace sandgraph::report

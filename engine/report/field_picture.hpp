@@ -15,4 +15,13 @@ Plot field_plot(const io::Frame& frame, results::Quantity quantity, const result
 Picture draw_field_picture(const io::Frame& frame, results::Quantity quantity,
                            const results::GroundView& view, const std::filesystem::path& png);
 
+// One line a square: x y half_x half_y value; with the mirror image if the view asks for it (a rotation
+// changes its sign there).
+std::string square_rows(const io::Frame& frame, const results::PointValues& shown,
+                        const results::GroundView& view);
+
+// One line an arrow: x y dx dy, about one for each `spacing` squared; the longest is `spacing` long. Empty
+// when nothing moved.
+std::string arrow_rows(const io::Frame& frame, const results::GroundView& view, double spacing);
+
 }  // namespace sandgraph::report

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/text.hpp"
+
 namespace sandgraph::report {
 namespace {
 
@@ -44,32 +46,11 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 std::string cells(const Row& row, const char* tag) {
     std::string text = "<tr>";
-    for (const std::string& cell : row) text += fmt::format("<{0}>{1}</{0}>", tag, escaped(cell));
+    for (const std::string& cell : row) text += fmt::format("<{0}>{1}</{0}>", tag, xml_escaped(cell));
     return text + "</tr>\n";
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    return out;
-}
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -93,14 +74,14 @@ std::string table(const std::vector<Row>& rows, bool numbers) {
 
 std::string figure(const std::filesystem::path& png, std::string_view caption) {
     const std::string bytes = bytes_of(png);
-    if (bytes.empty()) return fmt::format("<p class=\"missing\">no picture: {}</p>\n", escaped(caption));
+    if (bytes.empty()) return fmt::format("<p class=\"missing\">no picture: {}</p>\n", xml_escaped(caption));
     return fmt::format(
         "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
-        escaped(caption), base64(bytes));
+        xml_escaped(caption), base64(bytes));
 }
 
 std::string details(std::string_view summary, std::string_view inner_html) {
-    return fmt::format("<details><summary>{}</summary>\n{}</details>\n", escaped(summary), inner_html);
+    return fmt::format("<details><summary>{}</summary>\n{}</details>\n", xml_escaped(summary), inner_html);
 }
 
 std::string page(std::string_view title, std::string_view body) {
@@ -108,7 +89,7 @@ std::string page(std::string_view title, std::string_view body) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>{}</title>"
         "<style>{}</style></head>\n<body>\n{}</body></html>\n",
-        escaped(title), style, body);
+        xml_escaped(title), style, body);
 }
 
 }  // namespace sandgraph::report

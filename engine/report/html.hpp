@@ -7,7 +7,6 @@
 namespace sandgraph::report {
 
 // Pieces of a self-contained HTML page: text is escaped, pictures are embedded.
-std::string escaped(std::string_view text);
 std::string base64(std::string_view bytes);
 
 using Row = std::vector<std::string>;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "report/colour_scale.hpp"
-#include "report/series_colour.hpp"
 
 namespace sandgraph::report {
 namespace {

@@ -107,7 +107,7 @@ Fabric fabric_of(const Contacts& contacts) {
 }
 
 std::string rose_script(const Fabric& fabric, double largest) {
-    const double reach = std::ceil(largest * 2) / 2;
+    const double radius = std::ceil(largest * 2) / 2;
     return fmt::format(
         "reset\nset origin 0.58,0.04\nset size 0.42,0.88\nset size ratio 1\nset xrange [-{0}:{0}]\nset "
         "yrange "
@@ -119,7 +119,7 @@ std::string rose_script(const Fabric& fabric, double largest) {
         "(1+{3}*cos(2*(t-{4})))*cos(t), (1+{3}*cos(2*(t-{4})))*sin(t) with lines lw 2.5 lc rgb '#D55E00' "
         "title "
         "'fabric tensor'\n",
-        reach, fabric.anisotropy, std::round(fabric.direction * 180 / pi) + 0.0, fabric.anisotropy,
+        radius, fabric.anisotropy, std::round(fabric.direction * 180 / pi) + 0.0, fabric.anisotropy,
         fabric.direction);
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/series_colour.hpp"
+#include "report/colour_scale.hpp"
 
 namespace sandgraph::report {
 namespace {

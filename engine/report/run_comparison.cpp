@@ -40,7 +40,7 @@ report::Row row_of(const results::FinishedRun& run) {
             text(s.n_gamma, 3) + (results::broke_out(s) ? "" : " (still rising)"),
             text(formula, 3),
             std::isfinite(difference) ? fmt::format("{:+.1f} %", difference) : "-",
-            text(s.peak_d_over_B, 2),
+            text(s.breakout_d_over_B, 2),
             text(s.late_load / 1000, 3),
             text(s.wall_s, 3)};
 }

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
+#include <array>
 
-#include "base/error.hpp"
+#include "base/csv.hpp"
+#include "report/colour_scale.hpp"
 #include "report/region_picture.hpp"
-#include "report/series_colour.hpp"
 
 namespace sandgraph::report {
 namespace {
@@ -34,31 +34,48 @@ std::string critical_item(const std::string& formula, const char* title) {
     return fmt::format(", {} with lines dt 2 lw 2 lc rgb '#444444' title '{}'", formula, title);
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& csv, const std::string& why) {
-    throw InputError({csv.string()}, "not a critical state table", why,
-                     "make one: sandgraph rve critical -o DIR writes critical_state.csv");
+constexpr const char* how_to_make_one = "make one: sandgraph rve critical -o DIR writes critical_state.csv";
+
+// The columns of critical_state.csv that are read here.
+struct CriticalColumns {
+    std::size_t pressure, q_over_p, void_ratio;
+};
+
+std::size_t column(const CsvReader& in, std::string_view name) {
+    const auto cells = in.cells();
+    const auto found = std::ranges::find(cells, name);
+    if (found == cells.end())
+        in.refuse("not a critical state table", fmt::format("its first line names no column {}", name),
+                  how_to_make_one);
+    return static_cast<std::size_t>(found - cells.begin());
+}
+
+// p/100 kPa, q/p and e of one test.
+std::array<double, 3> read_test(const CsvReader& in, const CriticalColumns& at) {
+    const auto cells = in.cells();
+    if (cells.size() <= std::max({at.pressure, at.q_over_p, at.void_ratio}))
+        in.refuse(fmt::format("{} columns", cells.size()), "fewer than the first line names",
+                  how_to_make_one);
+    const double pressure = in.number(cells[at.pressure]);
+    if (!(pressure > 0))
+        in.refuse(fmt::format("pressure {} Pa", pressure), "it must be positive", how_to_make_one);
+    return {pressure / 100e3, in.number(cells[at.q_over_p]), in.number(cells[at.void_ratio])};
 }
 
 }  // namespace
 
 CriticalLines read_critical_lines(const std::filesystem::path& csv) {
-    std::ifstream in(csv);
-    std::string line;
-    if (!std::getline(in, line) || !line.starts_with("density,seed,pressure,q_over_p,porosity,void_ratio"))
-        refuse(csv, "its first line is another one");
+    CsvReader in(csv);
+    in.next_row();
+    const CriticalColumns at{column(in, "pressure"), column(in, "q_over_p"), column(in, "void_ratio")};
     double n = 0, ratio = 0, x = 0, e = 0, xx = 0, xe = 0;
-    while (std::getline(in, line)) {
-        std::istringstream row(line.substr(line.find(',') + 1));
-        double seed, pressure, q_over_p, porosity, void_ratio;
-        char comma;
-        if (!(row >> seed >> comma >> pressure >> comma >> q_over_p >> comma >> porosity >> comma >>
-              void_ratio) ||
-            !(pressure > 0))
-            refuse(csv, "a row without numbers: " + line);
-        const double at = pressure / 100e3;
-        n += 1, ratio += q_over_p, x += at, e += void_ratio, xx += at * at, xe += at * void_ratio;
+    while (in.next_row()) {
+        const auto [p, q_over_p, void_ratio] = read_test(in, at);
+        n += 1, ratio += q_over_p, x += p, e += void_ratio, xx += p * p, xe += p * void_ratio;
     }
-    if (!(n * xx - x * x > 1e-9)) refuse(csv, "it needs tests at two pressures or more");
+    if (!(n * xx - x * x > 1e-9))
+        throw InputError({csv.string()}, "not a critical state table",
+                         "it needs tests at two pressures or more", how_to_make_one);
     const double slope = (n * xe - x * e) / (n * xx - x * x);
     return {ratio / n, (e - slope * x) / n, -slope};
 }

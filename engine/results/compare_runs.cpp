@@ -56,11 +56,12 @@ double end_of(const FinishedRun& run) {
 }
 
 void compare_loads(const FinishedRun& reference, const FinishedRun& other, Comparison& out) {
-    const double peak = reference.summary.peak_load;
+    const double peak = reference.summary.breakout_load;
     const bool both_broke_out = broke_out(reference.summary) && broke_out(other.summary);
     if (both_broke_out || std::abs(end_of(reference) - end_of(other)) < kSameEnd) {
-        out.peak_error = std::abs(other.summary.peak_load - peak) / peak;
-        out.peak_position_error = std::abs(other.summary.peak_d_over_B - reference.summary.peak_d_over_B);
+        out.peak_error = std::abs(other.summary.breakout_load - peak) / peak;
+        out.peak_position_error =
+            std::abs(other.summary.breakout_d_over_B - reference.summary.breakout_d_over_B);
     }
     const Curve a = curve_of(reference), b = curve_of(other);
     out.curve_error = rms_difference(a, b) / peak;

@@ -52,13 +52,13 @@ std::vector<Mat2> deformation_between(const io::Frame& early, const io::Frame& l
 using Row = std::vector<std::size_t>;
 
 // The points of a row that belong to the band; none without strain.
-Row band_in_row(const Row& row, const io::Frame& frame, const std::vector<double>& strain, double reach) {
+Row band_in_row(const Row& row, const io::Frame& frame, const std::vector<double>& strain, double window) {
     double largest = 0, at = 0;
     for (const std::size_t p : row)
         if (strain[p] > largest) largest = strain[p], at = frame.x[p];
     Row band;
     for (const std::size_t p : row)
-        if (largest > 0 && strain[p] >= band_share * largest && std::abs(frame.x[p] - at) <= reach)
+        if (largest > 0 && strain[p] >= band_share * largest && std::abs(frame.x[p] - at) <= window)
             band.push_back(p);
     return band;
 }

@@ -67,11 +67,11 @@ PointValues point_values(const io::Frame& frame, Quantity quantity) {
             return {"rotation θ, anticlockwise +", "deg", true,
                     from_gradient(frame, [](const Mat2& F) { return degrees(mpm::rotation(F)); })};
         case Quantity::mode:
-            return {"who answers",
+            return {"constitutive mode",
                     "-",
                     false,
                     field(frame, "mode", 1).values,
-                    {"surrogate", "replay", "shadow", "blending", "grains", "flow"}};
+                    {"surrogate", "replay", "shadow", "blending", "grains", "critical-state shear"}};
         case Quantity::porosity:
             break;
     }

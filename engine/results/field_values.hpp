@@ -8,7 +8,7 @@
 namespace sandgraph::results {
 
 // What a field picture shows. Frames carry the fields "displacement" (2 components) [m], "F" (4: xx, xy, yx,
-// yy) and "porosity" (1); those of a screening run also "mode" (1), who answers for a point.
+// yy) and "porosity" (1); those of a screening run also "mode" (1), the constitutive mode of a point.
 enum class Quantity { displacement, equivalent_strain, rotation, porosity, mode };
 
 // One value per material point, ready to be coloured.

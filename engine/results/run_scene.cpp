@@ -4,7 +4,8 @@
 #include <tbb/global_control.h>
 
 #include "base/console.hpp"
-#include "base/interrupt.hpp"
+#include "base/process.hpp"
+#include "io/atomic_file.hpp"
 #include "io/xdmf.hpp"
 #include "results/run_summary.hpp"
 #include "simulation/prepare_run.hpp"

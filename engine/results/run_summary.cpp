@@ -33,7 +33,7 @@ void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
                const packings::PreparedGround& ground, io::Summary& s) {
     const Curve curve = curve_of(session.recorders().record());
     const Breakout breakout = results::breakout(curve.d, curve.load);
-    s.peak_load = breakout.load, s.peak_d_over_B = breakout.d_over_B;
+    s.breakout_load = breakout.load, s.breakout_d_over_B = breakout.d_over_B;
     s.n_gamma = breakout.load / simulation::unit_load(scene, ground);
     s.late_load = late_load(curve.d, curve.load);
     s.extra.emplace_back("breakout_criterion", static_cast<double>(breakout.kind));
@@ -118,7 +118,7 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene,
     if (scene.anchor.present) {
         const bool up = scene.anchor.orientation == scene::Orientation::horizontal;
         out += fmt::format("{}  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n", breakout_words(s), s.n_gamma,
-                           s.peak_d_over_B, s.peak_load / 1000);
+                           s.breakout_d_over_B, s.breakout_load / 1000);
         if (ground.friction_angle > 0 && std::isfinite(s.n_gamma_meyerhof_adams))
             out +=
                 fmt::format("formula   N_gamma {:.2f}  ({}, phi = {:.1f} deg {})\n",

@@ -1,14 +1,12 @@
 #include "scene/segments.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
-#include <sstream>
 
-#include "base/text.hpp"
+#include "base/csv.hpp"
 #include "scene/key_table.hpp"
-#include "scene/toml_file.hpp"
 
 namespace sandgraph::scene {
 namespace {
@@ -58,21 +56,19 @@ dem::PathSegment read_segment(const toml::table& table, const std::string& file)
     return segment;
 }
 
-dem::PathSegment parse_row(const std::string& row, const InputError::Where& where) {
+dem::PathSegment read_row(const CsvReader& in) {
+    const auto cells = in.cells();
+    if (cells.size() != 5)
+        in.refuse(fmt::format("\"{}\"", in.text()), "not five finite numbers",
+                  fmt::format("write {}", csv_header));
     double values[5];
-    const char* at = row.data();
-    const char* const end = at + row.size();
-    for (int k = 0; k < 5; ++k) {
-        const auto [next, status] = std::from_chars(at, end, values[k]);
-        const bool closed = k == 4 ? next == end : next != end && *next == ',';
-        if (status != std::errc{} || !closed || !std::isfinite(values[k]))
-            throw InputError(where, fmt::format("\"{}\"", row), "not five finite numbers",
-                             fmt::format("write {}", csv_header));
-        at = next + 1;
-    }
+    for (std::size_t k = 0; k < 5; ++k)
+        if (values[k] = in.number(cells[k]); !std::isfinite(values[k]))
+            in.refuse(fmt::format("'{}' is not a finite number", cells[k]), "not five finite numbers",
+                      fmt::format("write {}", csv_header));
     if (values[4] < 1 || values[4] != std::floor(values[4]) || values[4] > 1e15)
-        throw InputError(where, fmt::format("steps = {:.12g}", values[4]), "not a whole number of steps",
-                         "write 1 or more");
+        in.refuse(fmt::format("steps = {:.12g}", values[4]), "not a whole number of steps",
+                  "write 1 or more");
     dem::PathSegment segment;
     segment.velocity_gradient << values[0], values[1], values[2], values[3];
     segment.steps = static_cast<std::int64_t>(values[4]);
@@ -80,24 +76,12 @@ dem::PathSegment parse_row(const std::string& row, const InputError::Where& wher
 }
 
 std::vector<dem::PathSegment> read_segments(const std::string& file) {
-    std::istringstream in(read_text(file));
+    CsvReader in(file);
     std::vector<dem::PathSegment> segments;
-    std::string line;
-    int number = 0;
-    bool headed = false;
-    while (std::getline(in, line)) {
-        ++number;
-        const std::string row{trimmed(line)};
-        if (row.empty() || row.starts_with('#')) continue;
-        if (headed) {
-            segments.push_back(parse_row(row, {file, number}));
-            continue;
-        }
-        if (row != csv_header)
-            throw InputError({file, number}, fmt::format("\"{}\"", row), "not the header of a segments file",
-                             fmt::format("write {}", csv_header));
-        headed = true;
-    }
+    if (in.next_row() && fmt::format("{}", fmt::join(in.cells(), ",")) != csv_header)
+        in.refuse(fmt::format("\"{}\"", in.text()), "not the header of a segments file",
+                  fmt::format("write {}", csv_header));
+    while (in.next_row()) segments.push_back(read_row(in));
     if (segments.empty()) throw InputError({file, 0}, "no segments", "a path needs one at least", csv_header);
     return segments;
 }

@@ -86,7 +86,7 @@ KeyTable train_keys(TrainSpec& spec) {
                  "elastic; elements with fitted constants; with learned coefficients; two baselines");
     model.integer("members", spec.members, 1, "of the ensemble");
     model.choice("traits", spec.traits, {"all", "stiffness", "none"},
-                 "known of a packing beside p, n and stress: all; not Z, fabric, peak strength; nor K and G");
+                 "known of a packing beside p, n and stress: all; not Z, fabric, peak friction; nor K and G");
     model.flag("measured_critical", spec.measured_critical,
                "critical state as `sandgraph rve critical` measures it, not as training shifts it");
     model.input_file("start", spec.start, "model to go on from (retraining), else weights are drawn");

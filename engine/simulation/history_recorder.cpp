@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/revision.hpp"
-#include "dem/packing/observe.hpp"
+#include "dem/rve.hpp"
 #include "io/history_file.hpp"
 #include "packings/history_row.hpp"
 #include "simulation/history_points.hpp"

@@ -38,7 +38,7 @@ io::LoadRow LoadRecorder::row(const Simulation& simulation, double load) const {
     const graph::GroundState& s = simulation.state();
     io::LoadRow out;
     out.d_over_B = d_ / steps_, out.load = load, out.time = simulation.time();
-    out.top = leading_ / steps_, out.bottom = trailing_ / steps_;
+    out.leading = leading_ / steps_, out.trailing = trailing_ / steps_;
     out.kinetic_energy = factor_ * mpm::kinetic_energy(s.points, s.settings.scheme.mass_scaling);
     out.strain_work = factor_ * s.stress_work;
     out.plate_work = plate_work_;

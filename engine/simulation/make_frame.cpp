@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "dem/packing/observe.hpp"
+#include "dem/rve.hpp"
 
 namespace sandgraph::simulation {
 namespace {

@@ -6,9 +6,9 @@
 #include "base/console.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
 #include "io/run_file.hpp"
-#include "io/writable.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/scene_hash.hpp"
 #include "simulation/scene_spec.hpp"
@@ -78,8 +78,7 @@ packings::PreparedGround prepare(const scene::Scene& scene, const fs::path& fold
     io::require_writable(folder);
     StageProgress progress;
     std::shared_ptr<const stress::Surrogate> surrogate;
-    if (scene.mode == scene::Mode::screening)
-        surrogate = surrogate::load_surrogate(scene.screening.model);
+    if (scene.mode == scene::Mode::screening) surrogate = surrogate::load_surrogate(scene.screening.model);
     packings::PreparedGround ground = packings::prepare_ground(scene, progress.callback());
     ground.surrogate = std::move(surrogate);
     return ground;

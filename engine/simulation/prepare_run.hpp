@@ -1,5 +1,5 @@
 #pragma once
-#include "packings/prepare_ground.hpp"
+#include "packings/in_situ.hpp"
 #include "simulation/run_request.hpp"
 
 // What a run needs before its first step. What can be refused is refused before minutes of preparation.

@@ -7,8 +7,7 @@
 
 #include "base/console.hpp"
 #include "base/error.hpp"
-#include "dem/packing/lab_packing.hpp"
-#include "dem/packing/observe.hpp"
+#include "dem/rve.hpp"
 #include "io/packing_file.hpp"
 #include "mpm/kinematics.hpp"
 #include "simulation/make_frame.hpp"

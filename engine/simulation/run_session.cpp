@@ -4,7 +4,8 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "base/interrupt.hpp"
+#include "base/process.hpp"
+#include "base/revision.hpp"
 #include "io/checkpoint.hpp"
 #include "scene/scene_hash.hpp"
 #include "simulation/progress.hpp"

@@ -2,14 +2,18 @@
 
 #include <utility>
 
+#include "base/contracts.hpp"
 #include "stress/increment.hpp"
 
 namespace sandgraph::stress {
 
 Elastic::Elastic(const ElasticConstants& constants, std::vector<Stress> initial)
-    : constants_(constants), initial_(std::move(initial)) {}
+    : constants_(constants), initial_(std::move(initial)) {
+    SG_EXPECT(constants.young > 0 && constants.poisson > -1 && constants.poisson < 0.5);
+}
 
 void Elastic::initialise(const Batch& batch) {
+    SG_EXPECT(distinct_below(batch.points, batch.stress.size()));
     for (const auto id : batch.points) {
         const auto p = static_cast<std::size_t>(id);
         batch.stress[p] = initial_.at(p);
@@ -17,6 +21,8 @@ void Elastic::initialise(const Batch& batch) {
 }
 
 void Elastic::update(const Batch& batch) {
+    SG_EXPECT(distinct_below(batch.points, batch.stress.size()));
+    SG_EXPECT(batch.F_inc.size() == batch.stress.size());
     const double lambda = constants_.lame(), G2 = 2 * constants_.shear();
     for (const auto id : batch.points) {
         const auto p = static_cast<std::size_t>(id);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/contracts.hpp"
 #include "stress/increment.hpp"
 
 namespace sandgraph::stress {
@@ -45,9 +46,13 @@ MohrCoulomb::MohrCoulomb(const MohrCoulombConstants& constants, std::vector<Stre
     : constants_(constants),
       initial_(std::move(initial)),
       initial_zz_(std::move(initial_zz)),
-      zz_(initial_zz_) {}
+      zz_(initial_zz_) {
+    SG_EXPECT(constants.young > 0 && constants.poisson > -1 && constants.poisson < 0.5);
+    SG_EXPECT(initial_.size() == initial_zz_.size());
+}
 
 void MohrCoulomb::initialise(const Batch& batch) {
+    SG_EXPECT(distinct_below(batch.points, batch.stress.size()));
     for (const auto id : batch.points) {
         const auto p = static_cast<std::size_t>(id);
         batch.stress[p] = initial_.at(p);
@@ -56,6 +61,8 @@ void MohrCoulomb::initialise(const Batch& batch) {
 }
 
 void MohrCoulomb::update(const Batch& batch) {
+    SG_EXPECT(distinct_below(batch.points, std::min(batch.stress.size(), zz_.size())));
+    SG_EXPECT(batch.F_inc.size() == batch.stress.size());
     const ElasticConstants elastic = constants_.elastic();
     const double lambda = elastic.lame(), G2 = 2 * elastic.shear();
     for (const auto id : batch.points) {

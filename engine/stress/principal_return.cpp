@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::stress {
 namespace {
 
@@ -59,6 +61,8 @@ double yield(double s1, double s3, const MohrCoulombConstants& k) {
 }
 
 Principal return_to_yield(const Principal& trial, const MohrCoulombConstants& k) {
+    SG_EXPECT(!(trial[0] < trial[1]) && !(trial[1] < trial[2]));
+    SG_EXPECT(k.friction_angle >= k.dilation_angle && k.cohesion >= 0);
     const double slack = 1e-12 * (std::fabs(trial[0]) + std::fabs(trial[2]));
     const double excess = yield(trial[0], trial[2], k);
     if (excess <= 0) return trial;

@@ -13,7 +13,7 @@ struct PackingTraits {
     double bulk = 0, shear = 0;           // small-strain moduli in the plane [Pa]
     double coordination = 0;              // Z = 2 Nc / N
     double fabric_xx = 0, fabric_xy = 0;  // deviator of the contact fabric: (f_xx - f_yy)/2 and f_xy
-    double strength = 0;                  // sin(phi) at the peak of a biaxial test on the base packing
+    double peak_friction = 0;             // sin(phi) at the peak of a biaxial test on the base packing
 };
 
 // What a surrogate says of one point after an update.

@@ -1,5 +1,5 @@
+#include "io/content.hpp"
 #include "io/h5_handle.hpp"
-#include "io/seal.hpp"
 #include "tests/restart/interrupted_run.hpp"
 
 namespace sandgraph::restart {

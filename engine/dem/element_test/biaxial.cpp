@@ -1,6 +1,7 @@
-#include <cassert>
 #include <cmath>
 
+#include "base/contracts.hpp"
+#include "dem/element_test/element_test.hpp"
 #include "dem/element_test/sample.hpp"
 #include "dem/element_test/servo.hpp"
 
@@ -31,7 +32,8 @@ void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test)
 }  // namespace
 
 std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test, double modulus) {
-    assert(test.axial_rate > 0 && test.strain_every > 0);
+    SG_EXPECT(test.axial_rate > 0 && test.strain_every > 0);
+    SG_EXPECT(test.confining_pressure > 0 && modulus > 0 && test.time_step > 0);
     compress(assembly,
              {.pressure = test.confining_pressure,
               .rate = test.axial_rate,
@@ -47,6 +49,24 @@ std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test,
         rows.push_back(biaxial_row(sample, test.axial_rate));
     }
     return rows;
+}
+
+PeakFriction peak_friction(std::span<const BiaxialRow> rows, double strain) {
+    SG_EXPECT(strain > 0);
+    PeakFriction peak;
+    double largest = 0;
+    for (const BiaxialRow& row : rows) {
+        if (row.axial_strain > strain * (1 + 1e-9) || row.sin_phi <= largest) continue;
+        largest = row.sin_phi;
+        peak = {row.axial_strain, row.p, row.q, std::asin(std::min(1.0, row.sin_phi))};
+    }
+    return peak;
+}
+
+double friction_angle(std::span<const PeakFriction> peaks) {
+    double pq = 0, pp = 0;
+    for (const PeakFriction& s : peaks) pq += s.p * s.q, pp += s.p * s.p;
+    return pp > 0 ? std::asin(pq / pp) : 0;
 }
 
 }  // namespace sandgraph::dem

@@ -1,4 +1,4 @@
-#include "dem/element_test/csv.hpp"
+#include "dem/element_test/element_test.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,9 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "dem/assembly.hpp"
@@ -93,5 +95,31 @@ std::vector<ShearRow> run_shear(Assembly& sample, const ShearTest& test, double 
 // k_n/(2 h) of two mean grains [Pa]: the order of a packing's P-wave modulus; scales the servos.
 double typical_modulus(std::span<const double> radii, const Material& material);
 double typical_modulus(const Packing& packing, const Material& material);
+
+// Rows as CSV with the column names, signs and units of the YADE files, after one '#' line of JSON
+// `metadata`. Path and isotropic tests:
+//   step,t,Fxx,Fxy,Fyx,Fyy,hxx,hxy,hyx,hyy,sxx,sxy,syx,syy,n,Nc,Z,Zm,phixx,phixy,phiyy,Fa,slide_frac,
+//   E_el_n,E_el_t,E_el_r,E_k_trans,E_k_rot,un_max
+// Biaxial tests have these and then eps_a,eps_v,p,q,sin_phi,I; shear tests gamma,eps_v,p,q,q_over_p,I.
+std::string element_csv(std::span<const ElementRow> rows, const std::string& metadata = "{}");
+std::string element_csv(std::span<const BiaxialRow> rows, const std::string& metadata = "{}");
+std::string element_csv(std::span<const ShearRow> rows, const std::string& metadata = "{}");
+
+// The published programme (Liang et al. 2021, Fig. 2): three confining pressures [Pa], the peak within this
+// axial strain.
+inline constexpr std::array<double, 3> confining_pressures = {32e3, 64e3, 128e3};
+inline constexpr double peak_strain = 0.1;
+
+// The largest mobilised friction of a biaxial test up to `strain`: where it was and the angle asin(q/p)
+// [rad].
+struct PeakFriction {
+    double axial_strain = 0;
+    double p = 0, q = 0;  // [Pa]
+    double friction_angle = 0;
+};
+PeakFriction peak_friction(std::span<const BiaxialRow> rows, double strain = peak_strain);
+
+// One line q = p sin(phi) through the origin, least squares over the peaks of several pressures [rad].
+double friction_angle(std::span<const PeakFriction> peaks);
 
 }  // namespace sandgraph::dem

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
+#include "base/contracts.hpp"
 #include "dem/element_test/sample.hpp"
 #include "dem/element_test/servo.hpp"
 
@@ -32,7 +32,7 @@ int drive(SampleOnStand& sample, StressServo& x, StressServo& y, const Isotropic
 }  // namespace
 
 std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& test, double modulus) {
-    assert(test.pressure > 0 && test.rate > 0 && test.sample_every > 0 && test.time_step > 0);
+    SG_EXPECT(test.pressure > 0 && test.rate > 0 && test.sample_every > 0 && test.time_step > 0);
     assembly.step(Mat2::Zero(), test.time_step, test.relax_steps);
     SampleOnStand sample(assembly, test.time_step);
     StressServo x(modulus, servo_response, 0, test.rate), y = x;

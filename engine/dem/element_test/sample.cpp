@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
-#include "dem/packing/crushed.hpp"
+#include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem {
 
@@ -12,6 +13,7 @@ SampleOnStand::SampleOnStand(Assembly& assembly, double dt)
 
 // As the cell: each step first applies the L of the step before.
 void SampleOnStand::step(const Mat2& L, int count) {
+    SG_EXPECT(count >= 0 && dt_ > 0);
     assembly_.step(L, dt_, count);
     for (int k = 0; k < count; ++k) {
         F_ += dt_ * (L_last_ * F_);
@@ -31,6 +33,7 @@ ElementRow SampleOnStand::row() {
 }
 
 double typical_modulus(std::span<const double> radii, const Material& material) {
+    SG_EXPECT(!radii.empty() && material.depth > 0);
     double sum = 0;
     for (double r : radii) sum += r;
     const double r_mean = sum / static_cast<double>(radii.size());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
 
 namespace sandgraph::dem {
@@ -12,10 +13,13 @@ namespace sandgraph::dem {
 class StressServo {
   public:
     StressServo(double modulus, double response, double memory, double limit)
-        : gain_(1 / (modulus * response)), memory_(memory), limit_(limit) {}
+        : gain_(1 / (modulus * response)), memory_(memory), limit_(limit) {
+        SG_EXPECT(modulus > 0 && response > 0 && limit > 0);
+    }
 
     // Strain rate [1/s] for the next `interval` [s]; `missing` = target - measured stress [Pa].
     double rate(double missing, double interval) {
+        SG_EXPECT(interval > 0 || memory_ <= 0);
         if (memory_ > 0)
             integral_ = std::clamp(integral_ + gain_ * missing * interval / memory_, -limit_, limit_);
         return std::clamp(gain_ * missing + integral_, -limit_, limit_);

@@ -1,6 +1,6 @@
-#include <cassert>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "dem/element_test/sample.hpp"
 #include "dem/element_test/servo.hpp"
 
@@ -32,7 +32,8 @@ void shear(SampleOnStand& sample, StressServo& area, const ShearTest& test) {
 }  // namespace
 
 std::vector<ShearRow> run_shear(Assembly& assembly, const ShearTest& test, double modulus) {
-    assert(test.shear_rate > 0 && test.strain_every > 0);
+    SG_EXPECT(test.shear_rate > 0 && test.strain_every > 0);
+    SG_EXPECT(test.mean_stress > 0 && modulus > 0 && test.time_step > 0);
     compress(assembly,
              {.pressure = test.mean_stress,
               .rate = test.shear_rate,

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <numeric>
 
-#include "dem/fast/grain_order.hpp"
+#include "base/contracts.hpp"
 #include "dem/fast/packing.hpp"
 #include "dem/packing/observe.hpp"
 
@@ -23,6 +23,7 @@ std::vector<int> memory_order(const Packing& packing) {
 
 FastAssembly::FastAssembly(const Packing& packing, const Material& material)
     : material_(material), constants_(kernel_constants(material)), order_(memory_order(packing)) {
+    SG_EXPECT(packing.size() > 0 && packing.area() > 0);
     const Packing ordered = reordered(packing, order_);
     load(ordered, material, state_);
     neighbours_.relist(state_, ordered.contacts);
@@ -30,6 +31,7 @@ FastAssembly::FastAssembly(const Packing& packing, const Material& material)
 }
 
 void FastAssembly::step(const Mat2& L, double dt, int count) {
+    SG_EXPECT(dt > 0 && count >= 0);
     dt_ = dt;
     double sum[4];
     for (int k = 0; k < count; ++k) {

@@ -109,7 +109,7 @@ HWY_INLINE auto ForceOf(const double* group, int pair, std::size_t k) {
 }
 #endif
 
-// The contact law on N lanes at once. Pairs that do not touch get f_n = 0, which also clears their history.
+// The contact law on N lanes at once. Pairs without contact get f_n = 0, which also clears their history.
 template <bool kStress, class PairSource>
 HWY_INLINE void ContactLaw(const PairSource& source, const Arrays& s, const LawLanes& k, int first, int count,
                            double* HWY_RESTRICT force, V* sum) {

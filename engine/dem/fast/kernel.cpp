@@ -7,9 +7,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "base/contracts.hpp"
 #include "dem/fast/copy-inl.hpp"
 #include "dem/fast/forces-inl.hpp"
 #include "dem/fast/motion-inl.hpp"
+#include "dem/fast/packing.hpp"
 
 #if HWY_ONCE
 namespace sandgraph::dem {
@@ -34,9 +36,24 @@ void move_cell(FastState& s, const Mat2& L, double dt) {
     s.L = L;
 }
 
+// What the loops take for granted: whole lanes everywhere, and arrays of one length.
+[[maybe_unused]] bool grains_fit(const FastState& s) {
+    const auto room = static_cast<std::size_t>(padded(s.grains + 1));
+    return s.grains >= 0 && s.record.size() == FastState::kRecord * room && s.force.size() == 4 * room &&
+           s.inverse_mass.size() == room && s.inverse_inertia.size() == room;
+}
+[[maybe_unused]] bool pairs_fit(const FastState& s) {
+    const auto slots = static_cast<std::size_t>(s.slots);
+    return s.slots % FastState::kLanes == 0 && s.inner % FastState::kLanes == 0 && s.inner <= s.slots &&
+           s.i.size() == slots && s.j.size() == slots && s.image.size() == slots &&
+           s.tangential.size() == slots && s.moment.size() == slots;
+}
+
 }  // namespace
 
 void contact_forces(FastState& state, const KernelConstants& k, double dt, double* moment_sum) {
+    SG_EXPECT(grains_fit(state) && pairs_fit(state));
+    SG_EXPECT(dt > 0);
     state.H_force = state.H;
     if (moment_sum)
         HWY_DYNAMIC_DISPATCH(ContactForcesAndStress)(state, k, dt, moment_sum);
@@ -45,16 +62,19 @@ void contact_forces(FastState& state, const KernelConstants& k, double dt, doubl
 }
 
 double kick(FastState& state, const KernelConstants& k, double dt) {
+    SG_EXPECT(grains_fit(state) && dt > 0);
     return HWY_DYNAMIC_DISPATCH(Kick)(state, k, dt);
 }
 
 double kick_drift(FastState& state, const KernelConstants& k, const Mat2& L, double dt) {
+    SG_EXPECT(grains_fit(state) && dt > 0);
     const double speed2 = HWY_DYNAMIC_DISPATCH(KickDrift)(state, k, L, dt);
     move_cell(state, L, dt);
     return speed2;
 }
 
 double drift(FastState& state, const Mat2& L, double dt) {
+    SG_EXPECT(grains_fit(state) && dt > 0);
     const double speed2 = HWY_DYNAMIC_DISPATCH(Drift)(state, L, dt);
     move_cell(state, L, dt);
     return speed2;
@@ -62,15 +82,23 @@ double drift(FastState& state, const Mat2& L, double dt) {
 
 void unpack_grains(const double* position, const float* velocity, const double* radius, int grains,
                    double* records) {
+    SG_EXPECT(grains == 0 || (position && velocity && radius && records));
     HWY_DYNAMIC_DISPATCH(UnpackGrains)(position, velocity, radius, grains, records);
 }
 
 void pack_grains(const double* records, int grains, double* position, float* velocity) {
+    SG_EXPECT(grains == 0 || (records && position && velocity));
     HWY_DYNAMIC_DISPATCH(PackGrains)(records, grains, position, velocity);
 }
 
-void widen(const float* from, int count, double* to) { HWY_DYNAMIC_DISPATCH(Widen)(from, count, to); }
-void narrow(const double* from, int count, float* to) { HWY_DYNAMIC_DISPATCH(Narrow)(from, count, to); }
+void widen(const float* from, int count, double* to) {
+    SG_EXPECT(count % FastState::kLanes == 0);
+    HWY_DYNAMIC_DISPATCH(Widen)(from, count, to);
+}
+void narrow(const double* from, int count, float* to) {
+    SG_EXPECT(count % FastState::kLanes == 0);
+    HWY_DYNAMIC_DISPATCH(Narrow)(from, count, to);
+}
 
 std::string kernel_target() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
 

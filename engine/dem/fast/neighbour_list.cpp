@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/contracts.hpp"
+#include "dem/fast/neighbours.hpp"
 #include "dem/fast/packing.hpp"
-#include "dem/packing/cell_reduction.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -28,7 +29,7 @@ void wrap_grains(FastState& s, std::vector<Wrapped>& moved) {
     }
 }
 
-// Padding pairs join the padding grain with its far image (1, 1), which no force reaches.
+// Padding pairs join the padding grain with its far image (1, 1), too far for a force.
 void pad(FastState& s, int slot) {
     s.i[slot] = s.j[slot] = static_cast<std::uint16_t>(s.grains);
     s.image[slot] = 8;
@@ -42,17 +43,22 @@ void NeighbourList::rebuild(FastState& state) {
 }
 
 void NeighbourList::relist(FastState& s, const std::vector<Contact>& history) {
+    SG_EXPECT(s.grains > 0 && s.H.determinant() != 0);
     const Reduction r = reduce_cell(s.H);
     if (!r.identity) reduce(s, r);
     wrap_grains(s, moved_);
     collect(s, history, r.U_inverse);
     list_pairs(s, search_.find(s.record.data(), s.grains, s.H, gap_));
     s.approach = 0;
+    SG_ENSURE(s.slots % FastState::kLanes == 0 && s.inner % FastState::kLanes == 0);
+    SG_ENSURE(s.inner <= s.pairs && s.pairs <= s.slots && !stale(s));
+    SG_ENSURE(all_below(s.i, s.grains + 1) && all_below(s.j, s.grains + 1) && all_below(s.image, 9));
 }
 
 // Orders the history by first grain (i < j) with image counters in the new cell.
 void NeighbourList::collect(const FastState& s, const std::vector<Contact>& history,
                             const Eigen::Matrix2i& U_inverse) {
+    SG_EXPECT(moved_.size() == static_cast<std::size_t>(s.grains));
     first_.assign(s.grains + 1, 0);
     old_.resize(history.size());
     for (const Contact& c : history) ++first_[std::min(c.i, c.j) + 1];
@@ -112,6 +118,7 @@ void NeighbourList::deal(FastState& s, const std::vector<NearPair>& pairs, int f
 }
 
 double NeighbourList::approach(const FastState& s, double speed2, double dt) const {
+    SG_EXPECT(!(speed2 < 0) && dt > 0);  // not a number when the packing diverges
     return dt * (2 * std::sqrt(speed2) + s.L.norm() * (2 * s.radius_max + gap_));
 }
 

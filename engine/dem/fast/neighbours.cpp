@@ -1,8 +1,11 @@
 #include "dem/fast/neighbours.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/contracts.hpp"
 #include "dem/fast/state.hpp"
 
 namespace sandgraph::dem {
@@ -17,8 +20,8 @@ double largest_radius(const double* grains, int count) {
 }
 
 bool near(const double* a, const double* b, double sx, double sy, double gap) {
-    const double dx = b[0] + sx - a[0], dy = b[1] + sy - a[1], touch = a[kRadius] + b[kRadius] + gap;
-    return dx * dx + dy * dy < touch * touch;
+    const double dx = b[0] + sx - a[0], dy = b[1] + sy - a[1], most = a[kRadius] + b[kRadius] + gap;
+    return dx * dx + dy * dy < most * most;
 }
 
 // The half of the 3 x 3 neighbourhood that meets every pair of bins once; (0, 0) comes first.
@@ -41,12 +44,14 @@ Wrapped wrap(const Mat2& H, const Mat2& H_inverse, double& x, double& y) {
 
 const std::vector<NearPair>& NeighbourSearch::find(const double* grains, int count, const Mat2& H,
                                                    double gap) {
+    SG_EXPECT(grains != nullptr && count >= 0 && gap >= 0);
+    SG_EXPECT(H.determinant() != 0);
     pairs_.clear();
-    const double reach = 2 * largest_radius(grains, count) + gap;
+    const double cutoff = 2 * largest_radius(grains, count) + gap;
     const double area = std::abs(H.determinant());
-    // Perpendicular heights of the cell, in bins of at least the reach.
-    nx_ = static_cast<int>(area / H.col(1).norm() / reach);
-    ny_ = static_cast<int>(area / H.col(0).norm() / reach);
+    // Perpendicular heights of the cell, in bins of at least the cut-off.
+    nx_ = static_cast<int>(area / H.col(1).norm() / cutoff);
+    ny_ = static_cast<int>(area / H.col(0).norm() / cutoff);
     if (nx_ < 3 || ny_ < 3) {
         brute_force(grains, count, H, gap);
         return pairs_;
@@ -105,6 +110,32 @@ void NeighbourSearch::brute_force(const double* grains, int count, const Mat2& H
                 if (near(grains + kRecord * i, grains + kRecord * j, shift.x(), shift.y(), gap))
                     pairs_.push_back({i, j, std::int8_t(cx), std::int8_t(cy)});
             }
+}
+
+Reduction reduce_cell(const Mat2& H) {
+    SG_EXPECT(H.determinant() != 0);
+    // Leave a cell alone until it is clearly skewed, so that noise does not flip it to and fro.
+    constexpr double kHysteresis = 0.05;
+    Reduction r;
+    Vec2 a = H.col(0), b = H.col(1);
+    for (int pass = 0; pass < 100; ++pass) {
+        const bool shear_b = b.squaredNorm() >= a.squaredNorm();
+        const Vec2& shorter = shear_b ? a : b;
+        const double ratio = a.dot(b) / shorter.squaredNorm();
+        if (std::abs(ratio) <= 0.5 + kHysteresis) break;
+        const int k = static_cast<int>(std::lround(ratio));
+        if (shear_b) {
+            b -= k * a;
+            r.U.col(1) -= k * r.U.col(0);
+        } else {
+            a -= k * b;
+            r.U.col(0) -= k * r.U.col(1);
+        }
+        r.identity = false;
+    }
+    r.U_inverse << r.U(1, 1), -r.U(0, 1), -r.U(1, 0), r.U(0, 0);  // det U = 1
+    SG_ENSURE(r.U * r.U_inverse == Eigen::Matrix2i::Identity());
+    return r;
 }
 
 }  // namespace sandgraph::dem

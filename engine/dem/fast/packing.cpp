@@ -1,8 +1,14 @@
 #include "dem/fast/packing.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
+
+#include "base/contracts.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -18,9 +24,20 @@ void load_grain(const Packing& p, const Material& m, int g, FastState& s) {
     s.inverse_inertia[g] = 2 / (mass * p.r[g] * p.r[g]);
 }
 
+std::vector<double> picked(const std::vector<double>& values, const std::vector<int>& order) {
+    std::vector<double> out;
+    if (values.empty()) return out;
+    out.reserve(order.size());
+    for (const int g : order) out.push_back(values[g]);
+    return out;
+}
+
+double fraction(double s) { return s - std::floor(s); }
+
 }  // namespace
 
 void resize_grains(FastState& s, int n) {
+    SG_EXPECT(n >= 0 && n <= kLargest);
     const int room = padded(n + 1);
     s.grains = n, s.masses_of.reset();
     s.record.assign(FastState::kRecord * room, 0), s.force.assign(4 * room, 0);
@@ -29,6 +46,9 @@ void resize_grains(FastState& s, int n) {
 }
 
 void load(const Packing& p, const Material& material, FastState& s) {
+    SG_EXPECT(p.y.size() == p.size() && p.r.size() == p.size());
+    SG_EXPECT(p.vx.empty() || (p.vx.size() == p.size() && p.vy.size() == p.size()));
+    SG_EXPECT(p.spin.empty() || p.spin.size() == p.size());
     const int n = static_cast<int>(p.size());
     if (n > kLargest) throw std::invalid_argument("the fast kernel takes at most 65,000 grains a packing");
     resize_grains(s, n);
@@ -39,6 +59,8 @@ void load(const Packing& p, const Material& material, FastState& s) {
 }
 
 void contact_history(const FastState& s, std::vector<Contact>& out) {
+    SG_EXPECT(static_cast<std::size_t>(s.slots) == s.tangential.size() &&
+              s.moment.size() == s.tangential.size());
     out.clear();
     for (int c = 0; c < s.slots; ++c) {
         if (s.tangential[c] == 0 && s.moment[c] == 0) continue;
@@ -57,7 +79,40 @@ Packing unload(const FastState& s) {
         p.r.push_back(a[4]), p.spin.push_back(a[6]);
     }
     contact_history(s, p.contacts);
+    SG_ENSURE(p.size() == static_cast<std::size_t>(s.grains));
     return p;
+}
+
+std::vector<int> strip_order(const Packing& p) {
+    const Mat2 inverse = p.H.inverse();
+    const double strips = std::max(1.0, std::floor(std::sqrt(static_cast<double>(p.size()))));
+    std::vector<std::pair<double, double>> place(p.size());
+    for (std::size_t g = 0; g < p.size(); ++g) {
+        const Vec2 s = inverse * Vec2(p.x[g], p.y[g]);
+        place[g] = {std::floor(fraction(s.x()) * strips), fraction(s.y())};
+    }
+    std::vector<int> order(p.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place[a] < place[b]; });
+    SG_ENSURE(distinct_below(order, p.size()));
+    return order;
+}
+
+std::vector<int> inverse_order(const std::vector<int>& order) {
+    SG_EXPECT(distinct_below(order, order.size()));
+    std::vector<int> out(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) out[order[k]] = static_cast<int>(k);
+    return out;
+}
+
+Packing reordered(const Packing& p, const std::vector<int>& order) {
+    SG_EXPECT(order.size() == p.size());
+    const std::vector<int> place = inverse_order(order);
+    Packing out = p;
+    out.x = picked(p.x, order), out.y = picked(p.y, order), out.r = picked(p.r, order);
+    out.vx = picked(p.vx, order), out.vy = picked(p.vy, order), out.spin = picked(p.spin, order);
+    for (Contact& c : out.contacts) c.i = place[c.i], c.j = place[c.j];
+    return out;
 }
 
 }  // namespace sandgraph::dem

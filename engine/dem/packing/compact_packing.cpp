@@ -4,6 +4,7 @@
 #include <numbers>
 #include <span>
 
+#include "base/contracts.hpp"
 #include "base/hash.hpp"
 #include "dem/fast/kernel.hpp"
 #include "dem/fast/neighbour_list.hpp"
@@ -47,6 +48,7 @@ std::size_t CompactPacking::bytes() const {
 
 std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Material& material,
                                               const Mat2& stress) {
+    SG_EXPECT(packing.size() > 0 && stress.allFinite());
     FastState state;
     load(packing, material, state);
     NeighbourList neighbours;
@@ -55,10 +57,15 @@ std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Mate
     out->grains = grain_set(state);
     pack(state, *out);
     out->stress = stress;
+    SG_ENSURE(out->grains->radius.size() == packing.size());
     return out;
 }
 
 void unpack(const CompactPacking& p, FastState& s) {
+    SG_EXPECT(p.grains != nullptr && p.position.size() == 2 * p.grains->radius.size());
+    SG_EXPECT(p.velocity.size() == 3 * p.grains->radius.size());
+    SG_EXPECT(p.j.size() == p.i.size() && p.image.size() == p.i.size());
+    SG_EXPECT(p.tangential.size() == p.i.size() && p.moment.size() == p.i.size());
     take_masses(p.grains, s);
     unpack_grains(p.position.data(), p.velocity.data(), p.grains->radius.data(), s.grains, s.record.data());
     s.pairs = p.pairs, s.slots = static_cast<int>(p.i.size()), s.inner = p.inner;
@@ -71,6 +78,7 @@ void unpack(const CompactPacking& p, FastState& s) {
 }
 
 void pack(const FastState& s, CompactPacking& p) {
+    SG_EXPECT(s.i.size() == static_cast<std::size_t>(s.slots) && s.j.size() == s.i.size());
     p.position.resize(2 * s.grains);
     p.velocity.resize(3 * s.grains);
     pack_grains(s.record.data(), s.grains, p.position.data(), p.velocity.data());

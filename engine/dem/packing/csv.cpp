@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <fstream>
+#include <iterator>
 #include <map>
+#include <sstream>
 #include <string_view>
 
-#include "base/error.hpp"
-#include "dem/packing/check.hpp"
+#include "base/csv.hpp"
+#include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem {
 namespace {
 
-constexpr std::string_view header = "id,x,y,r";
+constexpr std::array<std::string_view, 4> columns = {"id", "x", "y", "r"};
 
 struct Grain {
     std::int64_t id;
@@ -22,98 +24,48 @@ struct Grain {
     int line;
 };
 
-// Lines of the file with their numbers, ends trimmed.
-class Lines {
-  public:
-    explicit Lines(const std::filesystem::path& file) : name_(file.string()), stream_(file) {
-        if (!stream_)
-            throw InputError({name_, 0}, "cannot be opened", "no such file or no permission",
-                             "check the path");
-    }
-    bool next() {
-        if (!std::getline(stream_, text_)) return false;
-        ++number_;
-        text_.erase(text_.find_last_not_of(" \t\r") + 1);
-        return true;
-    }
-    const std::string& text() const { return text_; }
-    InputError::Where where() const { return {name_, number_}; }
-    int number() const { return number_; }
-
-  private:
-    std::string name_;
-    std::ifstream stream_;
-    std::string text_;
-    int number_ = 0;
-};
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> words;
-    for (std::size_t from = 0;;) {
-        const std::size_t to = text.find(separator, from);
-        if (const auto word = text.substr(from, to - from); separator == ',' || !word.empty())
-            words.push_back(word);
-        if (to == std::string_view::npos) return words;
-        from = to + 1;
-    }
+void expect_comment(CsvReader& in, const char* what) {
+    if (!in.next() || !in.comment())
+        in.refuse(fmt::format("{} is missing", what), "a packing starts with three '#' lines",
+                  "begin with '# {json}', '# cell ...', '# hxx hxy hyx hyy'");
 }
 
-template <class Number>
-Number parse(std::string_view word, const InputError::Where& where) {
-    const std::size_t blank = std::min(word.find_first_not_of(" \t"), word.size());
-    word.remove_prefix(blank);
-    while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size())
-        throw InputError(where, fmt::format("'{}' is not a number", word), "a plain number is needed here",
-                         "write e.g. 0.005");
-    return value;
+// The words behind the '#', parted by blanks.
+std::vector<std::string> words_of(const CsvReader& in) {
+    std::istringstream text(in.text().substr(1));
+    return {std::istream_iterator<std::string>(text), {}};
 }
 
-void expect_comment(Lines& lines, const char* what) {
-    if (!lines.next() || !lines.text().starts_with("#"))
-        throw InputError(lines.where(), fmt::format("{} is missing", what),
-                         "a packing starts with three '#' lines",
-                         "begin with '# {json}', '# cell ...', '# hxx hxy hyx hyy'");
-}
-
-Mat2 read_cell(Lines& lines) {
-    expect_comment(lines, "the '# hxx hxy hyx hyy' line");
-    const auto words = split(std::string_view(lines.text()).substr(1), ' ');
+Mat2 read_cell(CsvReader& in) {
+    expect_comment(in, "the '# hxx hxy hyx hyy' line");
+    const std::vector<std::string> words = words_of(in);
     if (words.size() != 4)
-        throw InputError(lines.where(), fmt::format("{} numbers for the cell", words.size()),
-                         "hxx hxy hyx hyy are four", "write '# hxx hxy hyx hyy' in m");
+        in.refuse(fmt::format("{} numbers for the cell", words.size()), "hxx hxy hyx hyy are four",
+                  "write '# hxx hxy hyx hyy' in m");
     Mat2 H;
-    for (int k = 0; k < 4; ++k)
-        H(k / 2, k % 2) = parse<double>(words[static_cast<std::size_t>(k)], lines.where());
+    for (int k = 0; k < 4; ++k) H(k / 2, k % 2) = in.number(words[static_cast<std::size_t>(k)]);
     return H;
 }
 
-Grain read_grain(const Lines& lines) {
-    const auto words = split(lines.text(), ',');
-    if (words.size() != 4)
-        throw InputError(lines.where(), fmt::format("{} columns", words.size()), "a grain has four",
-                         "write id,x,y,r");
-    const auto where = lines.where();
-    return {parse<std::int64_t>(words[0], where), parse<double>(words[1], where),
-            parse<double>(words[2], where), parse<double>(words[3], where), lines.number()};
+Grain read_grain(const CsvReader& in) {
+    const auto cells = in.cells();
+    if (cells.size() != 4)
+        in.refuse(fmt::format("{} columns", cells.size()), "a grain has four", "write id,x,y,r");
+    return {in.integer(cells[0]), in.number(cells[1]), in.number(cells[2]), in.number(cells[3]), in.line()};
 }
 
-std::vector<Grain> read_grains(Lines& lines) {
-    if (!lines.next() || lines.text() != header)
-        throw InputError(lines.where(), "the column line is missing", "the fourth line names the columns",
-                         "write 'id,x,y,r'");
+std::vector<Grain> read_grains(CsvReader& in) {
+    if (!in.next_row() || !std::ranges::equal(in.cells(), columns))
+        in.refuse("the column line is missing", "the line behind the cell names the columns",
+                  "write 'id,x,y,r'");
     std::vector<Grain> grains;
     std::map<std::int64_t, int> first;
-    while (lines.next()) {
-        if (lines.text().empty()) continue;
-        grains.push_back(read_grain(lines));
-        const auto [seen, is_new] = first.emplace(grains.back().id, lines.number());
+    while (in.next_row()) {
+        grains.push_back(read_grain(in));
+        const auto [seen, is_new] = first.emplace(grains.back().id, in.line());
         if (!is_new)
-            throw InputError(lines.where(), fmt::format("duplicate id {}", grains.back().id),
-                             fmt::format("first used in line {}", seen->second),
-                             "number the grains 0, 1, 2, ...");
+            in.refuse(fmt::format("duplicate id {}", grains.back().id),
+                      fmt::format("first used in line {}", seen->second), "number the grains 0, 1, 2, ...");
     }
     std::ranges::sort(grains, {}, &Grain::id);
     return grains;
@@ -122,14 +74,14 @@ std::vector<Grain> read_grains(Lines& lines) {
 }  // namespace
 
 Packing read_packing_csv(const std::filesystem::path& file) {
-    Lines lines(file);
-    expect_comment(lines, "the '# {json}' line");
-    expect_comment(lines, "the '# cell' line");
+    CsvReader in(file);
+    expect_comment(in, "the '# {json}' line");
+    expect_comment(in, "the '# cell' line");
     Packing p;
-    p.H = read_cell(lines);
-    const int cell_line = lines.number();
+    p.H = read_cell(in);
+    const int cell_line = in.line();
     std::vector<int> at;
-    for (const Grain& g : read_grains(lines)) {
+    for (const Grain& g : read_grains(in)) {
         p.x.push_back(g.x), p.y.push_back(g.y), p.r.push_back(g.r);
         at.push_back(g.line);
     }
@@ -141,7 +93,7 @@ void write_packing_csv(const std::filesystem::path& file, const Packing& p, cons
     std::string text = fmt::format(
         "# {}\n# cell hSize (columns = base vectors) [m]: hxx hxy hyx hyy\n"
         "# {:.17g} {:.17g} {:.17g} {:.17g}\n{}\n",
-        metadata, p.H(0, 0), p.H(0, 1), p.H(1, 0), p.H(1, 1), header);
+        metadata, p.H(0, 0), p.H(0, 1), p.H(1, 0), p.H(1, 1), "id,x,y,r");
     for (std::size_t g = 0; g < p.size(); ++g)
         text += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", g, p.x[g], p.y[g], p.r[g]);
     std::ofstream out(file, std::ios::binary);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "dem/reference/contact.hpp"
 #include "dem/reference/pairs.hpp"
 
@@ -71,6 +72,12 @@ double unbalanced(std::size_t grains, std::span<const ContactForce> contacts) {
     return (net_sum / static_cast<double>(grains)) / (contact_sum / static_cast<double>(contacts.size()));
 }
 
+[[maybe_unused]] bool all_between(std::span<const ContactForce> contacts, std::size_t grains) {
+    return std::ranges::all_of(contacts, [&](const ContactForce& c) {
+        return c.i >= 0 && c.j >= 0 && std::size_t(c.i) < grains && std::size_t(c.j) < grains;
+    });
+}
+
 std::vector<Vec2> centres(const Packing& p) {
     std::vector<Vec2> x(p.size());
     for (std::size_t g = 0; g < p.size(); ++g) x[g] = {p.x[g], p.y[g]};
@@ -88,6 +95,7 @@ ContactForce as_it_lies(const Packing& p, const PairKey& key, const Vec2& d, con
 }  // namespace
 
 std::vector<ContactForce> contact_forces(const Packing& p, const Material& material) {
+    SG_EXPECT(p.y.size() == p.size() && p.r.size() == p.size());
     const std::vector<Vec2> x = centres(p);
     std::vector<ContactForce> out;
     for (const PairKey& key : near_pairs(x, p.r, p.H, 0)) {
@@ -106,6 +114,7 @@ std::vector<ContactForce> contact_forces(const Packing& p, const Material& mater
 }
 
 Mat2 love_weber_stress(const Packing& p, std::span<const ContactForce> contacts, const Material& material) {
+    SG_EXPECT(p.area() != 0 && material.depth > 0);
     Mat2 sum = Mat2::Zero();
     for (const ContactForce& c : contacts)
         sum += (p.r[c.i] + p.r[c.j] - c.overlap) * c.n * (c.f_n * c.n + c.f_t).transpose();
@@ -113,6 +122,8 @@ Mat2 love_weber_stress(const Packing& p, std::span<const ContactForce> contacts,
 }
 
 Observables observe(const Packing& p, std::span<const ContactForce> contacts, const Material& material) {
+    SG_EXPECT(all_between(contacts, p.size()));
+    SG_EXPECT(p.vx.empty() || (p.vx.size() == p.size() && p.spin.size() == p.size()));
     Observables out;
     out.stress = love_weber_stress(p, contacts, material);
     out.porosity = porosity(p);

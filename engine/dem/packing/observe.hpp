@@ -4,7 +4,6 @@
 
 #include "dem/packing/observables.hpp"
 #include "dem/packing/packing.hpp"
-#include "dem/rve.hpp"
 
 namespace sandgraph::dem {
 
@@ -28,19 +27,5 @@ Mat2 love_weber_stress(const Packing& packing, std::span<const ContactForce> con
 
 // Everything in Observables. H, radii, velocities and L are taken from `packing` (empty velocities: at rest).
 Observables observe(const Packing& packing, std::span<const ContactForce> contacts, const Material& material);
-
-// The same of a packing behind a material point, turned into the lab frame; `stress` is what the RVE answers,
-// `porosity` includes what a floating packing has opened.
-Observables observe(const Rve& rve, const Material& material);
-
-// What a DEM update of a watched point did, for the history log.
-struct RveUpdate {
-    std::int32_t point = 0;
-    Mat2 F_inc = Mat2::Identity();  // since the point's previous update, with its spin
-    RveReport report;
-    Mat2 stress = Mat2::Zero();  // after it [Pa], compression positive, lab frame, not symmetrised
-    double volume_ratio = 1;     // J since the start
-    Observables seen;            // lab frame
-};
 
 }  // namespace sandgraph::dem

@@ -2,6 +2,8 @@
 #include <Eigen/LU>
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "base/tensor.hpp"
@@ -9,7 +11,7 @@
 
 namespace sandgraph::dem {
 
-// A contact or near pair (i, j): the image of j that touches i sits at x_j + H (cell_x, cell_y).
+// A contact or near pair (i, j): the image of j in contact with i sits at x_j + H (cell_x, cell_y).
 // n points from i to j; the tangent is e = (n_y, -n_x); the force on j is f_n n + tangential e, the moment on
 // j is +moment. In 2D the tangential force is one number, turned with the contact by definition.
 struct Contact {
@@ -33,5 +35,19 @@ struct Packing {
 
 // 2D porosity 1 - sum(pi r^2)/A, overlaps counted twice.
 double porosity(const Packing& packing);
+
+// Grains pressed into each other by about half their radius: below this 2D porosity no contact law holds.
+inline constexpr double crushed_porosity = -0.5;
+
+// Where a packing came from, for error messages: the file, the line of the cell, the line of each grain.
+struct PackingSource {
+    std::string file;
+    int cell_line = 0;
+    std::span<const int> grain_lines;  // may be empty
+};
+
+// Refuses what no packing can be: not finite, r <= 0, a singular or inverted cell, a cell smaller than its
+// grains, overlaps of more than half the smaller radius (over periodic images too). Throws InputError.
+void check_packing(const Packing& packing, const PackingSource& source);
 
 }  // namespace sandgraph::dem

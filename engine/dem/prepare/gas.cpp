@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "dem/prepare/prepare.hpp"
@@ -65,6 +66,7 @@ void check(const Recipe& recipe) {
 
 // When a disk finds no place, the whole gas is drawn again in a cell 2 % larger.
 Packing random_gas(const Recipe& recipe, int attempt) {
+    SG_EXPECT(attempt >= 0);
     check(recipe);
     const std::vector<double> radii = draw_radii(recipe);
     Random random(recipe.seed, places_stream + static_cast<std::uint64_t>(attempt));

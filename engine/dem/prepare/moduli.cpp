@@ -1,3 +1,4 @@
+#include "base/contracts.hpp"
 #include "dem/element_test/element_test.hpp"
 #include "dem/packing/observe.hpp"
 #include "dem/prepare/prepare.hpp"
@@ -35,8 +36,10 @@ struct Probe {
 }  // namespace
 
 Moduli small_strain_moduli(const Packing& packing, const Material& material, const AssemblyFactory& factory) {
+    SG_EXPECT(factory);
     const double pressure =
         0.5 * love_weber_stress(packing, contact_forces(packing, material), material).trace();
+    SG_EXPECT(pressure > 0);
     const Probe probe{packing, calm(material), factory, preparation_time_step(material, packing.r),
                       probe_share * pressure / typical_modulus(packing, material)};
     const Mat2 iso = probe.stiffness(mode(1, 0, 1)), biaxial = probe.stiffness(mode(1, 0, -1)),

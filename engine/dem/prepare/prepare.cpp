@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "dem/element_test/element_test.hpp"
 #include "dem/prepare/stages.hpp"
@@ -43,6 +44,7 @@ long enough_steps(const PressureStage& stage) {
 
 Packing consolidate(const Recipe& recipe, const Packing& gas, Material material, double friction,
                     const AssemblyFactory& factory, const ProgressCallback& progress) {
+    SG_EXPECT(friction >= 0 && friction <= largest_friction);
     material.friction_angle = friction;
     const auto assembly = factory(gas, material);
     const PressureStage stage = stage_of(recipe, gas, material);
@@ -99,6 +101,7 @@ struct Preparation {
 
 Prepared prepare(const Recipe& recipe, const Material& material, const AssemblyFactory& factory,
                  const ProgressCallback& progress) {
+    SG_EXPECT(factory);
     Preparation preparation{recipe, material, factory, progress, {}};
     FrictionSearch search(recipe.target_porosity);
     for (int trial = 0; trial < most_trials; ++trial) {

@@ -17,7 +17,7 @@ struct Prepared {
 Prepared prepare(const Recipe& recipe, const Material& material, const AssemblyFactory& factory,
                  const ProgressCallback& progress = {});
 
-// Disks that do not touch, placed at random, largest first; `attempt` draws another gas of the same grains.
+// Disks without contacts, placed at random, largest first; `attempt` draws another gas of the same grains.
 Packing random_gas(const Recipe& recipe, int attempt = 0);
 
 // The same grains at another isotropic pressure [Pa], up or down: both normal stresses within `tolerance`

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "dem/element_test/servo.hpp"
 
 namespace sandgraph::dem {
@@ -43,6 +44,8 @@ bool at_pressure(const Mat2& stress, const PressureStage& stage) {
 
 bool drive_to_pressure(Assembly& assembly, const PressureStage& stage, long max_steps,
                        const ProgressCallback& progress) {
+    SG_EXPECT(stage.pressure > 0 && stage.tolerance > 0 && stage.rate > 0);
+    SG_EXPECT(stage.modulus > 0 && stage.dt > 0);
     assembly.step(Mat2::Zero(), stage.dt, 1);  // an assembly may know its stress only from a step on
     int held = 0;
     for (long step = 0; step < max_steps; step += servo_interval) {
@@ -56,6 +59,7 @@ bool drive_to_pressure(Assembly& assembly, const PressureStage& stage, long max_
 }
 
 bool relax(Assembly& assembly, double unbalanced, double dt, long max_steps) {
+    SG_EXPECT(unbalanced > 0 && dt > 0);
     for (long step = 0; step < max_steps; step += relax_interval) {
         assembly.step(Mat2::Zero(), dt, relax_interval);
         if (assembly.observe().unbalanced < unbalanced) return true;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "base/tensor.hpp"
 #include "dem/material.hpp"
 
@@ -30,18 +31,18 @@ struct PairMotion {
     double spin_i, spin_j, rotation;
 };
 
-struct Touch {
+struct ContactState {
     Vec2 n = Vec2::Zero();        // unit normal of the last step
     Vec2 f_t = Vec2::Zero();      // tangential force on j [N]
     double f_n = 0, overlap = 0;  // [N], [m]
     double rolling =
         0;  // moment memory [N m]: the moment itself (incremental), or uncapped -k_r theta (total)
     double moment = 0;  // moment on j [N m], capped at eta min(r) f_n
-    bool touching = false;
+    bool in_contact = false;
 };
 
 // First-order turn of f_t with the contact plane, not renormalised (step 4).
-inline void turn_tangential(Touch& t, const Vec2& n) {
+inline void turn_tangential(ContactState& t, const Vec2& n) {
     const double a = t.n.x() * n.y() - t.n.y() * n.x();
     t.f_t -= a * Vec2(t.f_t.y(), -t.f_t.x());
 }
@@ -53,7 +54,7 @@ inline Vec2 sliding_velocity(const PairConstants& c, const PairMotion& m, const 
     return v - n.dot(v) * n;
 }
 
-inline void limit_tangential(Touch& t, double tan_phi) {
+inline void limit_tangential(ContactState& t, double tan_phi) {
     const double limit = t.f_n * tan_phi, squared = t.f_t.squaredNorm();
     if (squared > limit * limit) t.f_t *= limit / std::sqrt(squared);
 }
@@ -61,22 +62,23 @@ inline void limit_tangential(Touch& t, double tan_phi) {
 // Step 5: elastic-plastic increments (the birth step counts), or -k_r theta capped at use with theta the
 // rotation since the contact was found (the birth step does not count). `rotation` [rad]: theta_j - theta_i
 // over the step.
-inline void roll(Touch& t, const PairConstants& c, double rotation, RollingForm form, bool born) {
+inline void roll(ContactState& t, const PairConstants& c, double rotation, RollingForm form, bool born) {
     const double limit = c.rolling_arm * t.f_n;
     if (form == RollingForm::incremental || !born) t.rolling -= c.k_r * rotation;
     t.moment = std::clamp(t.rolling, -limit, limit);
     if (form == RollingForm::incremental) t.rolling = t.moment;
 }
 
-// Steps 2 to 5 for one pair over dt [s]; false when the pair does not touch (its memory is then gone).
-inline bool advance(Touch& t, const PairConstants& c, const PairMotion& m, double tan_phi, RollingForm form,
-                    double dt) {
+// Steps 2 to 5 for one pair over dt [s]; false when the pair is in no contact (its memory is then gone).
+inline bool advance(ContactState& t, const PairConstants& c, const PairMotion& m, double tan_phi,
+                    RollingForm form, double dt) {
+    SG_EXPECT(dt > 0 && c.r_i > 0 && c.r_j > 0);
     const double distance = m.d.norm(), overlap = c.r_i + c.r_j - distance;
-    if (t.touching ? overlap < 0 : overlap <= 0) return t = Touch{}, false;
+    if (t.in_contact ? overlap < 0 : overlap <= 0) return t = ContactState{}, false;
     const Vec2 n = m.d / distance;
-    const bool born = !t.touching;
+    const bool born = !t.in_contact;
     if (!born) turn_tangential(t, n);
-    t.touching = true;
+    t.in_contact = true;
     t.n = n;
     t.overlap = overlap;
     t.f_n = c.k_n * overlap;
@@ -87,7 +89,7 @@ inline bool advance(Touch& t, const PairConstants& c, const PairMotion& m, doubl
 }
 
 // Torque of the tangential force on a grain of radius r [N m], step 6; the same sign on both grains.
-inline double torque(const Touch& t, double r) {
+inline double torque(const ContactState& t, double r) {
     return -(r - 0.5 * t.overlap) * (t.n.x() * t.f_t.y() - t.n.y() * t.f_t.x());
 }
 

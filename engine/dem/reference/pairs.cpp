@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
+
 namespace sandgraph::dem {
 namespace {
 
@@ -12,9 +14,9 @@ using Cell = Eigen::Vector2i;
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-// Grains sorted into bins of the reduced cell; bins are at least as wide as needed for `reach` bins a side.
+// Grains sorted into bins of the reduced cell; bins are at least as wide as needed for `range` bins a side.
 struct Bins {
-    Cell count, reach;
+    Cell count, range;
     std::vector<Cell> bin_of, image_of;  // by grain: its bin, and the lattice cell it lies in
     std::vector<std::vector<std::int32_t>> members;
 
@@ -28,7 +30,7 @@ void size_bins(Bins& bins, const Mat2& basis, double cutoff, std::size_t grains)
     for (int k = 0; k < 2; ++k) {
         const double height = basis.determinant() / basis.col(1 - k).norm();
         bins.count[k] = std::clamp(static_cast<int>(std::min(height / cutoff, 1e6)), 1, most);
-        bins.reach[k] = static_cast<int>(std::ceil(cutoff * bins.count[k] / height));
+        bins.range[k] = static_cast<int>(std::ceil(cutoff * bins.count[k] / height));
     }
     bins.members.resize(static_cast<std::size_t>(bins.count.prod()));
 }
@@ -67,12 +69,12 @@ struct Search {
         const PairKey key{i, j, static_cast<std::int16_t>(c.x()), static_cast<std::int16_t>(c.y())};
         if (!counted_once(key)) return;
         const Vec2 d = x[j] + H * c.cast<double>() - x[i];
-        const double reach = r[i] + r[j] + skin;
-        if (d.squaredNorm() < reach * reach) out.push_back(key);
+        const double cutoff = r[i] + r[j] + skin;
+        if (d.squaredNorm() < cutoff * cutoff) out.push_back(key);
     }
     void around(std::int32_t i, Bins& bins, std::vector<PairKey>& out) const {
-        for (int b = -bins.reach.y(); b <= bins.reach.y(); ++b)
-            for (int a = -bins.reach.x(); a <= bins.reach.x(); ++a) {
+        for (int b = -bins.range.y(); b <= bins.range.y(); ++b)
+            for (int a = -bins.range.x(); a <= bins.range.x(); ++a) {
                 const Cell raw = bins.bin_of[i] + Cell(a, b);
                 const Cell image(floor_div(raw.x(), bins.count.x()), floor_div(raw.y(), bins.count.y()));
                 const Cell home = raw - image.cwiseProduct(bins.count);
@@ -85,6 +87,7 @@ struct Search {
 }  // namespace
 
 LatticeBasis reduce_lattice(const Mat2& H) {
+    SG_EXPECT(H.determinant() != 0);
     LatticeBasis out{H, Eigen::Matrix2i::Identity()};
     for (;;) {
         if (out.basis.col(0).squaredNorm() > out.basis.col(1).squaredNorm()) {
@@ -104,6 +107,7 @@ LatticeBasis reduce_lattice(const Mat2& H) {
 
 std::vector<PairKey> near_pairs(std::span<const Vec2> x, std::span<const double> r, const Mat2& H,
                                 double skin) {
+    SG_EXPECT(x.size() == r.size() && skin >= 0);
     std::vector<PairKey> pairs;
     if (x.empty()) return pairs;
     const Search search{x, r, H, reduce_lattice(H), skin};
@@ -111,6 +115,7 @@ std::vector<PairKey> near_pairs(std::span<const Vec2> x, std::span<const double>
     Bins bins = sort_grains(x, search.lattice.basis, cutoff);
     for (std::size_t i = 0; i < x.size(); ++i) search.around(static_cast<std::int32_t>(i), bins, pairs);
     std::sort(pairs.begin(), pairs.end());
+    SG_ENSURE(std::ranges::adjacent_find(pairs) == pairs.end());  // each once
     return pairs;
 }
 

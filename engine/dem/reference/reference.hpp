@@ -31,7 +31,7 @@ class ReferenceAssembly : public Assembly {
     struct Pair {
         PairKey key;
         PairConstants constants;
-        Touch touch;
+        ContactState contact;
         bool restored = false;  // history given, but no normal to turn it from yet
     };
 

@@ -128,7 +128,7 @@ bool ScreeningLaw::absurd(const stress::SurrogateAnswer& a, std::int32_t p, cons
 Verdict ScreeningLaw::judge_answer(std::size_t slot, const Stress& predicted) const {
     const std::int32_t p = asked_[slot];
     const stress::SurrogateAnswer& a = answers_[slot];
-    GateView view{F_[p], a.stress, traits(p).strength, a.spread, a.distance};
+    GateView view{F_[p], a.stress, traits(p).peak_friction, a.spread, a.distance};
     const stress::Increment e = stress::increment(visits_.collected(p));
     const double elastic = contract(visits_.change(p), e);
     if (elastic > 0) view.work = 1 + contract(difference(a.stress, predicted), e) / elastic;

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "dem/element_test/element_test.hpp"
 #include "dem/element_test/servo.hpp"
-#include "dem/element_test/strength.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/reference/reference.hpp"
 #include "tests/unit/dem/yade_reference.hpp"
@@ -84,7 +84,7 @@ TEST(Biaxial, FollowsYadeAtSmallStrain) {
 TEST(Biaxial, DenseSandDilatesAndPeaksAsInYade) {
     const auto rows = biaxial("dense", 64e3, 0.1);
     EXPECT_LT(rows.back().volumetric_strain, -0.01);
-    EXPECT_NEAR(peak_strength(rows).friction_angle, 31.6 * degree, 1 * degree);
+    EXPECT_NEAR(peak_friction(rows).friction_angle, 31.6 * degree, 1 * degree);
 }
 
 TEST(Strength, PeaksAndLineOfTheYadeFilesAreThePublishedOnes) {
@@ -92,9 +92,9 @@ TEST(Strength, PeaksAndLineOfTheYadeFilesAreThePublishedOnes) {
     const std::string kinds[2] = {"dense", "loose"};
     const int pressures[3] = {32, 64, 128};
     for (int kind = 0; kind < 2; ++kind) {
-        std::vector<PeakStrength> peaks;
+        std::vector<PeakFriction> peaks;
         for (int k = 0; k < 3; ++k) {
-            peaks.push_back(peak_strength(yade_biaxial(kinds[kind], pressures[k])));
+            peaks.push_back(peak_friction(yade_biaxial(kinds[kind], pressures[k])));
             EXPECT_NEAR(peaks.back().friction_angle / degree, published[kind][k], 0.06);
         }
         EXPECT_NEAR(friction_angle(peaks) / degree, line[kind], 0.06);
@@ -107,8 +107,8 @@ TEST(Strength, LooksOnlyAtTheGivenStrain) {
         rows[k].axial_strain = 0.05 * k;
         rows[k].sin_phi = 0.1 * (k + 1), rows[k].p = 1000, rows[k].q = 100.0 * (k + 1);
     }
-    EXPECT_EQ(peak_strength(rows, 0.06).friction_angle, std::asin(0.2));
-    EXPECT_EQ(peak_strength(rows).friction_angle, std::asin(rows[2].sin_phi));
+    EXPECT_EQ(peak_friction(rows, 0.06).friction_angle, std::asin(0.2));
+    EXPECT_EQ(peak_friction(rows).friction_angle, std::asin(rows[2].sin_phi));
 }
 
 }  // namespace

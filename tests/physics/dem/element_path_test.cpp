@@ -3,7 +3,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "dem/element_test/csv.hpp"
 #include "dem/element_test/element_test.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/reference/reference.hpp"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "dem/element_test/strength.hpp"
+#include "dem/element_test/element_test.hpp"
 #include "laboratory/element_test.hpp"
 #include "public_packing.hpp"
 
@@ -105,8 +105,8 @@ TEST(FastYade, ExtensionAndRecontactPathE) {
 }
 
 // Largest sin(phi) of the first 10 % as an angle [deg].
-PeakStrength peak_of(const Table& t) {
-    PeakStrength peak;
+PeakFriction peak_of(const Table& t) {
+    PeakFriction peak;
     double largest = 0;
     for (std::size_t k = 0; k < t.rows.size(); ++k)
         if (t.at(k, "sin_phi") > largest) {
@@ -117,7 +117,7 @@ PeakStrength peak_of(const Table& t) {
 }
 
 double line_through_origin(const std::string& kind) {
-    std::vector<PeakStrength> peaks;
+    std::vector<PeakFriction> peaks;
     for (const double confining : confining_pressures) {
         scene::ElementTestSpec spec;
         spec.kind = scene::TestKind::biaxial;

@@ -1,4 +1,4 @@
-#include "dem/packing/cell_reduction.hpp"
+#include "dem/fast/neighbours.hpp"
 #include "dem/packing/observe.hpp"
 #include "public_packing.hpp"
 

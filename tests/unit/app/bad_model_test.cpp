@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "io/seal.hpp"
+#include "io/content.hpp"
 #include "surrogate/model_file.hpp"
 #include "tests/support/random_model.hpp"
 #include "tests/support/subprocess.hpp"

@@ -6,7 +6,6 @@
 
 #include "base/random.hpp"
 #include "dem/fast/neighbours.hpp"
-#include "dem/packing/cell_reduction.hpp"
 
 namespace sandgraph::dem {
 namespace {

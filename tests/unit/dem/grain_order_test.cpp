@@ -1,4 +1,4 @@
-#include "dem/fast/grain_order.hpp"
+#include "dem/fast/packing.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>

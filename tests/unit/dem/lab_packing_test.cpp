@@ -1,4 +1,4 @@
-#include "dem/packing/lab_packing.hpp"
+#include "dem/rve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "dem/fast/fast.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/packing/observe.hpp"
+#include "dem/rve.hpp"
 #include "dem/stretch.hpp"
 #include "tests/support/table1_options.hpp"
 #include "yade_reference.hpp"

@@ -67,6 +67,13 @@ TEST(PackingCsv, AcceptsWindowsLineEndsAndBlankLines) {
     EXPECT_EQ(complaint("# {}\r\n# cell\r\n# 0.1 0 0 0.1\r\nid,x,y,r\r\n0,0.05,0.05,0.005\r\n\r\n"), "");
 }
 
+TEST(PackingCsv, AcceptsWhatSpreadsheetsAndEditorsAdd) {
+    EXPECT_EQ(
+        complaint(
+            "\xEF\xBB\xBF# {}\n# cell\n#  +0.1 0 0 0.1 \nid, x, y, r\n# one grain\n0, +0.05 ,0.05,0.005 \n"),
+        "");
+}
+
 struct Refusal {
     std::string text, place, problem;
 };

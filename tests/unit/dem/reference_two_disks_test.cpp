@@ -14,7 +14,7 @@ double worst_prescribed(const std::string& file, RollingForm form) {
     Material material;
     material.rolling_form = form;
     const PairConstants constants(0.005, 0.003, material);
-    Touch touch;
+    ContactState contact;
     double worst = 0, before = 0;
     for (std::size_t k = 0; k < t.rows.size(); ++k) {
         // The prescribed spin acts at once in the increments, but turns the disks only at the end of the
@@ -25,11 +25,12 @@ double worst_prescribed(const std::string& file, RollingForm form) {
                                 t.at(k, "w0"), t.at(k, "w1"), form == RollingForm::total ? before : turn};
         before = turn;
         const bool touches =
-            advance(touch, constants, motion, std::tan(material.friction_angle), form, dt_prescribed);
+            advance(contact, constants, motion, std::tan(material.friction_angle), form, dt_prescribed);
         EXPECT_EQ(touches, t.at(k, "contact") == 1) << "step " << k + 1;
-        worst = std::max({worst, std::abs(touch.f_n - t.at(k, "fn")),
-                          std::abs(touch.f_t.x() - t.at(k, "ftx")), std::abs(touch.f_t.y() - t.at(k, "fty")),
-                          std::abs(touch.moment - t.at(k, "mz")) / constants.r_j});
+        worst =
+            std::max({worst, std::abs(contact.f_n - t.at(k, "fn")),
+                      std::abs(contact.f_t.x() - t.at(k, "ftx")), std::abs(contact.f_t.y() - t.at(k, "fty")),
+                      std::abs(contact.moment - t.at(k, "mz")) / constants.r_j});
     }
     return worst;
 }

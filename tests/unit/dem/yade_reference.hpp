@@ -1,11 +1,10 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "base/csv.hpp"
 #include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem::test {
@@ -39,20 +38,14 @@ inline double number_or_zero(const std::string& text) {
 }
 
 inline Table read_csv(const std::string& path) {
-    std::ifstream file(path);
-    EXPECT_TRUE(file.good()) << path;
+    CsvReader in(path);
     Table table;
-    for (std::string line, field; std::getline(file, line);) {
-        if (line.starts_with("#")) continue;
-        std::istringstream fields(line);
-        std::vector<std::string> words;
-        while (std::getline(fields, field, ',')) words.push_back(field);
-        if (table.columns.empty()) {
-            table.columns = words;
-            continue;
-        }
+    if (in.next_row())
+        for (const std::string_view name : in.cells()) table.columns.emplace_back(name);
+    while (in.next_row()) {
         table.rows.emplace_back();
-        for (const std::string& word : words) table.rows.back().push_back(number_or_zero(word));
+        for (const std::string_view cell : in.cells())
+            table.rows.back().push_back(number_or_zero(std::string(cell)));
     }
     return table;
 }

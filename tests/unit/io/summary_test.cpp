@@ -45,12 +45,12 @@ TEST(Summary, HasTheKeysScriptsRelyOnInTheirOrder) {
 TEST(Summary, ReadsBackTheSameAndNullForUnknown) {
     const Scratch folder;
     Summary s;
-    s.dem_steps = 12'345'678'901, s.peak_load = 0.1 + 0.2, s.mode = "full", s.audit.points = 7;
+    s.dem_steps = 12'345'678'901, s.breakout_load = 0.1 + 0.2, s.mode = "full", s.audit.points = 7;
     s.extra = {{"porosity", 0.16}};
     write_summary(folder / "summary.json", s);
     const Summary read = read_summary(folder / "summary.json");
     EXPECT_EQ(read.dem_steps, s.dem_steps);
-    EXPECT_EQ(read.peak_load, s.peak_load);
+    EXPECT_EQ(read.breakout_load, s.breakout_load);
     EXPECT_EQ(read.mode, "full");
     EXPECT_EQ(read.audit.points, 7);
     EXPECT_TRUE(std::isnan(read.n_gamma_biarez));

@@ -98,8 +98,8 @@ TEST(Probe, LogsEveryKindOfPathAndItsPackings) {
     for (const io::HistoryPacking& p : log.packings) {
         EXPECT_NEAR(p.traits.porosity, p.target_porosity, 0.01);
         EXPECT_NEAR(p.traits.pressure, 0.5 * p.stress.trace(), 1e-3 * p.traits.pressure);
-        EXPECT_GT(p.traits.strength, 0.2);
-        EXPECT_LT(p.traits.strength, 0.8);
+        EXPECT_GT(p.traits.peak_friction, 0.2);
+        EXPECT_LT(p.traits.peak_friction, 0.8);
     }
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mpm/grid_update.hpp"
-#include "mpm/points_to_grid.hpp"
+#include "mpm/transfer.hpp"
 #include "tests/support/random_ground.hpp"
 
 namespace sandgraph::mpm {

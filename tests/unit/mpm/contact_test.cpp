@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "mpm/boundary.hpp"
 #include "mpm/layout.hpp"
-#include "mpm/points_to_grid.hpp"
-#include "mpm/surcharge.hpp"
+#include "mpm/transfer.hpp"
 #include "mpm/two_field.hpp"
 #include "tests/support/memory_archive.hpp"
 
@@ -39,7 +39,7 @@ struct Embedded {
     }
 
     void load() {
-        set_divide(grid, divide_of(plate), points.half);
+        set_enrichment(grid, enrichment_of(plate), points.half);
         refresh(order, points, grid);
         points_to_grid(points, order, grid);
         add_contact(plate, points, order, grid, contact);
@@ -77,7 +77,7 @@ TEST(Contact, LoadsExactlyThePlatesWidth) {
     for (double& x : e.points.x) x += 0.043;  // points now straddle the plate's ends
     e.load();
     double top = 0, bottom = 0;
-    for (const Touch& t : e.contact.touches) {
+    for (const ContactPoint& t : e.contact.points) {
         if (t.face == Face::top) top += t.length;
         if (t.face == Face::bottom) bottom += t.length;
     }
@@ -115,7 +115,7 @@ TEST(Contact, TakesEdgesThatMeetToRoundOffForNoOverlap) {
         e.plate.x += shift, e.plate.y += shift;
         e.load();
         EXPECT_LT(e.worst_force(), 1e-8 * 70e3 * cell);  // NaN is not less
-        for (const Touch& t : e.contact.touches) EXPECT_GT(t.length, 1e-10);
+        for (const ContactPoint& t : e.contact.points) EXPECT_GT(t.length, 1e-10);
     }
 }
 
@@ -125,7 +125,7 @@ TEST(Contact, NeverPulls) {
     e.load();
     EXPECT_EQ(e.contact.reaction.face(Face::bottom), Vec2::Zero());
     EXPECT_LT(e.contact.reaction.face(Face::top).y(), -70e3);
-    for (const Touch& t : e.contact.touches) EXPECT_GT(t.penetration, 0);
+    for (const ContactPoint& t : e.contact.points) EXPECT_GT(t.penetration, 0);
 }
 
 TEST(Contact, ShearStopsAtCoulombsLimitUnlessThePlateIsRough) {
@@ -145,12 +145,12 @@ TEST(Contact, ForgetsItsSlipWhenContactIsLost) {
     Embedded e(0.1, 0.2);
     e.load();
     const auto below = [&] {
-        return std::ranges::count_if(e.contact.touches,
-                                     [](const Touch& t) { return t.face == Face::bottom; });
+        return std::ranges::count_if(e.contact.points,
+                                     [](const ContactPoint& t) { return t.face == Face::bottom; });
     };
     const auto before = below();
     ASSERT_GT(before, 0);
-    for (const Touch& t : e.contact.touches) e.contact.slip[static_cast<std::size_t>(t.point)] = 1e-4;
+    for (const ContactPoint& t : e.contact.points) e.contact.slip[static_cast<std::size_t>(t.point)] = 1e-4;
     e.plate.y += 0.01;
     e.load();
     EXPECT_EQ(below(), 0);
@@ -159,7 +159,7 @@ TEST(Contact, ForgetsItsSlipWhenContactIsLost) {
     e.plate.y -= 0.01;
     e.load();
     EXPECT_EQ(below(), before);
-    for (const Touch& t : e.contact.touches)
+    for (const ContactPoint& t : e.contact.points)
         EXPECT_TRUE(t.face != Face::bottom || e.contact.slip[static_cast<std::size_t>(t.point)] == 0)
             << t.point;
 }
@@ -167,7 +167,7 @@ TEST(Contact, ForgetsItsSlipWhenContactIsLost) {
 TEST(TwoFields, SoilAboveDoesNotMoveTheNodesOfTheSoilBelow) {
     Embedded e(0.37, 0.21);
     for (std::size_t p = 0; p < e.points.size(); ++p) e.points.vy[p] = e.points.y[p] > e.plate.y ? 1 : 0;
-    set_divide(e.grid, divide_of(e.plate), e.points.half);
+    set_enrichment(e.grid, enrichment_of(e.plate), e.points.half);
     refresh(e.order, e.points, e.grid);
     points_to_grid(e.points, e.order, e.grid);
     const int i = static_cast<int>(std::lround(e.plate.x / cell));

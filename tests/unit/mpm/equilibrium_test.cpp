@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "mpm/boundary.hpp"
 #include "mpm/layout.hpp"
-#include "mpm/points_to_grid.hpp"
-#include "mpm/surcharge.hpp"
+#include "mpm/transfer.hpp"
 
 namespace sandgraph::mpm {
 namespace {

@@ -1,11 +1,10 @@
-#include "mpm/grid_to_points.hpp"
+#include "mpm/transfer.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
 #include <limits>
 
-#include "mpm/points_to_grid.hpp"
 #include "mpm/two_field.hpp"
 #include "tests/support/random_ground.hpp"
 
@@ -72,7 +71,7 @@ TEST_F(GridToPoints, FlipKeepsThePointsOwnVelocityAndPicTakesTheGrids) {
 TEST_F(GridToPoints, VectorKernelEqualsThePlainSum) {
     Points plain = points;
     std::vector<std::int32_t> all(order.ids);
-    gather_divided(all, grid, {1e-3, 0.3}, plain);
+    gather_enriched(all, grid, {1e-3, 0.3}, plain);
     grid_to_points(grid, {1e-3, 0.3}, order, points);
     for (std::size_t p = 0; p < points.size(); ++p) {
         EXPECT_NEAR(points.x[p], plain.x[p], 1e-14);

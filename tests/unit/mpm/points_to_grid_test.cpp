@@ -1,4 +1,4 @@
-#include "mpm/points_to_grid.hpp"
+#include "mpm/transfer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST_P(PointsToGrid, VectorKernelEqualsThePlainSum) {
     Grid plain(grid.shape);
     std::vector<std::int32_t> all(points.size());
     for (std::size_t p = 0; p < all.size(); ++p) all[p] = static_cast<std::int32_t>(p);
-    scatter_divided(all, points, plain);
+    scatter_enriched(all, points, plain);
     for (std::size_t n = 0; n < grid.shape.size(); ++n) {
         const Node &a = grid.fields[0].nodes[n], &b = plain.fields[0].nodes[n];
         EXPECT_NEAR(a.mass, b.mass, 1e-12);

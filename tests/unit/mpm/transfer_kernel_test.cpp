@@ -49,9 +49,9 @@ Result transfer() {
 Result plain() {
     Result r{{}, ground()};
     Grid grid = moving_grid();
-    scatter_divided(ids(r.points), r.points, grid);
+    scatter_enriched(ids(r.points), r.points, grid);
     r.nodes = grid.fields[0].nodes;
-    gather_divided(ids(r.points), grid, {1e-3, 0.2}, r.points);
+    gather_enriched(ids(r.points), grid, {1e-3, 0.2}, r.points);
     return r;
 }
 

@@ -32,7 +32,7 @@ TEST(PackingTraits, DescribeThePackingAtItsPressure) {
     EXPECT_GT(traits.coordination, 2.5);
     EXPECT_LT(traits.coordination, 4.5);
     EXPECT_LT(std::hypot(traits.fabric_xx, traits.fabric_xy), 0.1);
-    EXPECT_EQ(traits.strength, std::sin(0.5));
+    EXPECT_EQ(traits.peak_friction, std::sin(0.5));
 }
 
 // All lengths by a tenth, the depth too: an assembly with the same stresses, ten times as quick.

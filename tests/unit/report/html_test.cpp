@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::report {
@@ -16,7 +17,7 @@ TEST(Html, Base64AgreesWithRfc4648) {
 }
 
 TEST(Html, SceneTextCannotBecomeMarkup) {
-    EXPECT_EQ(escaped("<b>\"a\" & b</b>"), "&lt;b&gt;&quot;a&quot; &amp; b&lt;/b&gt;");
+    EXPECT_EQ(xml_escaped("<b>\"a\" & b</b>"), "&lt;b&gt;&quot;a&quot; &amp; b&lt;/b&gt;");
     EXPECT_EQ(table({{"<i>"}, {"&"}}).find("<i>"), std::string::npos);
 }
 

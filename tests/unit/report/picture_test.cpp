@@ -5,7 +5,6 @@
 #include "base/error.hpp"
 #include "report/colour_scale.hpp"
 #include "report/field_picture.hpp"
-#include "report/field_rows.hpp"
 #include "report/load_picture.hpp"
 #include "tests/unit/io/scratch.hpp"
 #include "tests/unit/report/synthetic.hpp"

@@ -60,7 +60,7 @@ TEST_F(ElementTestFile, ReadsAShearAtConstantMeanStress) {
 }
 
 TEST_F(ElementTestFile, ReadsSegmentsFromCsvBesideIt) {
-    write("p.csv", "Lxx,Lxy,Lyx,Lyy,steps\n0.1,0,0,-0.1,100\n\n0,0.4,0,0,2e3\n");
+    write("p.csv", "\xEF\xBB\xBFLxx, Lxy,Lyx,Lyy,steps\r\n+0.1,0,0,-0.1,100 \r\n\n# shear\n0, 0.4,0,0,2e3\n");
     const auto spec = read_element_test(write("t.toml", "kind = \"path\"\nsegments = \"p.csv\"\n"));
     ASSERT_EQ(spec.path.segments.size(), 2u);
     EXPECT_EQ(spec.path.segments[1].velocity_gradient(0, 1), 0.4);

@@ -1,5 +1,3 @@
-#include "surrogate/model_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,8 +6,9 @@
 
 #include "base/error.hpp"
 #include "io/info.hpp"
-#include "surrogate/check_model.hpp"
 #include "surrogate/load_surrogate.hpp"
+#include "surrogate/model.hpp"
+#include "surrogate/model_file.hpp"
 #include "surrogate/self_test.hpp"
 #include "tests/unit/surrogate/driver.hpp"
 
@@ -172,6 +171,12 @@ TEST(CheckModel, StrengthBeyondFrictionIsRefused) {
     EXPECT_NO_THROW(check_model(model, "m.h5"));
     EXPECT_NE(refusal([&] { check_physics(model, *make_surrogate(model), "m.h5"); }).find("q/p"),
               std::string::npos);
+}
+
+// Loading checks file, features, self test and physics: a change of the equations that leaves the shipped
+// weights behind shows here.
+TEST(ShippedModel, IsAcceptedByThisVersion) {
+    EXPECT_NO_THROW(load_surrogate(std::string(SANDGRAPH_SOURCE) + "/configs/models/table1.surrogate.h5"));
 }
 
 }  // namespace
