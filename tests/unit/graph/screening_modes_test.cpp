@@ -134,7 +134,7 @@ TEST(AuditSample, IsDueAtEvenDisplacements) {
 
 std::unique_ptr<RvePool> two_packings() {
     const auto packing = support::public_packing().packing;
-    return local_pool({packing, packing}, dem::Material{}, dem::RveOptions{});
+    return local_pool({packing, packing}, dem::Material{}, support::table1_options());
 }
 
 TEST(RvePool, GivesTheAnswersOfThePackingsItOwns) {
@@ -142,7 +142,7 @@ TEST(RvePool, GivesTheAnswersOfThePackingsItOwns) {
     const Mat2 F_inc = (Mat2() << 1 + 2e-4, 1e-4, 0, 1 - 2e-4).finished();
     dem::Rve alone(support::public_packing().packing);
     dem::Workspace work;
-    const dem::RveReport report = alone.update(F_inc, {}, {}, work);
+    const dem::RveReport report = alone.update(F_inc, {}, support::table1_options(), work);
     const std::vector<RveJob> jobs{{.rve = 1, .increment = F_inc, .observed = true}};
     std::vector<RveAnswer> answers(1);
     pool->drive(jobs, answers);
