@@ -31,7 +31,7 @@ std::unique_ptr<graph::GroundState> small_state() {
     graph::ScreeningSetup setup = setup_of(points);
     graph::StepSettings settings;
     settings.dt = 1e-4;
-    settings.scheme.pic_fraction = settings.scheme.damping = 0, settings.gravity = 9.81;
+    settings.scheme.pic_fraction = settings.scheme.damping = 0, settings.gravity = Vec2(0, -9.81);
     auto state =
         std::make_unique<graph::GroundState>(settings, std::move(points), mpm::GridShape{0, 0, 0.1, 1, 3});
     state->law = std::make_unique<graph::ScreeningLaw>(std::move(setup));
