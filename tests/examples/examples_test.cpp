@@ -183,15 +183,15 @@ TEST(OfTraining, IsReadAndFindsWhatItNames) {
     for (const scene::TrainSpec& spec : {first, friction}) {
         EXPECT_TRUE(fs::equivalent(spec.probe, configs / "models/probe.toml")) << spec.probe;
         EXPECT_EQ(spec.members, 4);
-        EXPECT_EQ(spec.batch, 64);
+        EXPECT_EQ(spec.training.batch, 64);
         EXPECT_EQ(spec.strain_max, 3);
         EXPECT_EQ(spec.rung, scene::TrainRung::learned);
     }
-    EXPECT_EQ(first.epochs, 150);
-    EXPECT_EQ(friction.epochs, 40);
+    EXPECT_EQ(first.training.epochs, 150);
+    EXPECT_EQ(friction.training.epochs, 40);
     EXPECT_TRUE(first.start.empty());
     EXPECT_TRUE(fs::equivalent(friction.start, configs / "models/table1.surrogate.h5")) << friction.start;
-    EXPECT_TRUE(friction.friction && friction.measured_critical);
+    EXPECT_TRUE(friction.training.scale.friction && friction.measured_critical);
 }
 
 }  // namespace

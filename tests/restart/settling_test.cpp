@@ -49,7 +49,7 @@ TEST_F(SettlingGround, RunsToItsEndTimeWithEveryOutputButLoads) {
     const io::Summary summary = io::read_summary(out("whole") / "summary.json");
     EXPECT_EQ(summary.points, 24);
     EXPECT_GT(summary.steps, 100);
-    EXPECT_TRUE(std::isnan(summary.peak_load) && std::isnan(summary.n_gamma));
+    EXPECT_TRUE(std::isnan(summary.breakout_load) && std::isnan(summary.n_gamma));
     const io::Frame last = io::read_run_frame(out("whole") / "run.h5", 3);
     EXPECT_NEAR(last.time, 0.2, 2e-3);
     EXPECT_TRUE(std::isnan(last.plate_x));
