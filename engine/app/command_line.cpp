@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/usage_error.hpp"
+#include "base/console.hpp"
 #include "base/error.hpp"
 #include "base/revision.hpp"
 
@@ -27,7 +28,7 @@ void add_commands(CLI::App& app, int& exit_code) {
 }
 
 int report_error(const std::string& line, ExitCode code) {
-    fmt::print(stderr, "{}\n", line);
+    notice(line);
     return code;
 }
 

@@ -13,11 +13,18 @@ namespace {
 
 constexpr double terminal_interval = 0.2, plain_interval = 10;  // [s]
 
+// A terminal that has gone or a log on a full disk must not end a run: what cannot be written is left out.
+void write_softly(std::FILE* out, std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), out);
+    std::fflush(out);
+    std::clearerr(out);
+}
+
 }  // namespace
 
-void tell(std::string_view text) { fmt::print("{}", text); }
+void tell(std::string_view text) { write_softly(stdout, text); }
 
-void notice(std::string_view line) { fmt::print(stderr, "{}\n", line); }
+void notice(std::string_view line) { write_softly(stderr, fmt::format("{}\n", line)); }
 
 void broken_contract(const char* kind, const char* condition, const char* file, int line) {
     notice(fmt::format("{}:{}: {} broken: {}", file, line, kind, condition));
@@ -32,13 +39,12 @@ LiveLine::LiveLine(std::FILE* out) : out_(out), terminal_(isatty(fileno(out)) !=
 
 void LiveLine::show(const std::string& text, double now) {
     next_ = now + (terminal_ ? terminal_interval : plain_interval);
-    fmt::print(out_, "{}{}{}", terminal_ ? "\r" : "", text, terminal_ ? "\033[K" : "\n");
-    std::fflush(out_);
+    write_softly(out_, fmt::format("{}{}{}", terminal_ ? "\r" : "", text, terminal_ ? "\033[K" : "\n"));
     live_ = terminal_;
 }
 
 void LiveLine::finish() {
-    if (live_) fmt::print(out_, "\n");
+    if (live_) write_softly(out_, "\n");
     live_ = false;
 }
 

@@ -33,8 +33,9 @@ std::vector<char*> argv_of(std::vector<std::string>& arguments) {
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+// A closing terminal sends SIGHUP more than once (the shell, then the kernel): that is one wish to stop.
 void on_signal(int signal) {
-    if (asked.exchange(true)) {
+    if (asked.exchange(true) && signal != SIGHUP) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
@@ -66,6 +67,8 @@ void become_program(std::vector<std::string> arguments) {
 void catch_interrupts() {
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+    if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // under nohup
+    std::signal(SIGPIPE, SIG_IGN);  // a reader of our output that has gone is no reason to stop
 }
 
 bool interrupted() { return asked.load(); }

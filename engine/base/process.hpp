@@ -17,8 +17,8 @@ int run_program(std::vector<std::string> arguments, const std::filesystem::path&
 // Throws std::system_error when it cannot be started.
 [[noreturn]] void become_program(std::vector<std::string> arguments);
 
-// SIGINT and SIGTERM ask long work to stop at its next clean point (a step, an epoch); a second one ends the
-// program at once.
+// SIGINT, SIGTERM and SIGHUP ask long work to stop at its next clean point (a step, an epoch); a second one
+// (SIGHUP apart) ends the program at once.
 void catch_interrupts();
 bool interrupted();
 

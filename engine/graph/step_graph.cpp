@@ -54,4 +54,6 @@ void StepGraph::run() {
 
 const std::vector<PhaseTime>& StepGraph::times() const { return nodes_->times; }
 
+const std::vector<Phase>& StepGraph::phases() const { return nodes_->phases; }
+
 }  // namespace sandgraph::graph

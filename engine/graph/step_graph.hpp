@@ -23,6 +23,7 @@ class StepGraph {
 
     void run();
     const std::vector<PhaseTime>& times() const;
+    const std::vector<Phase>& phases() const;
 
   private:
     struct Nodes;

@@ -44,11 +44,14 @@ fs::path cache_folder() {
     if (set("SANDGRAPH_CACHE")) return std::getenv("SANDGRAPH_CACHE");
     if (set("XDG_CACHE_HOME")) return fs::path(std::getenv("XDG_CACHE_HOME")) / "sandgraph";
     if (set("HOME")) return fs::path(std::getenv("HOME")) / ".cache" / "sandgraph";
-    return fs::temp_directory_path() / "sandgraph-cache";
+    std::error_code none;
+    const fs::path shared = fs::temp_directory_path(none);
+    return none ? fs::path() : shared / "sandgraph-cache";
 }
 
 bool read_cached(const fs::path& file, const std::string& recipe, dem::Packing& packing) {
-    if (!fs::exists(file)) return false;
+    std::error_code unreadable;  // a folder of somebody else, too long a name: nothing is cached there
+    if (!fs::exists(file, unreadable)) return false;
     try {
         io::PackingRecord record = io::read_packing(file);
         if (record.recipe != recipe) return false;
@@ -61,6 +64,7 @@ bool read_cached(const fs::path& file, const std::string& recipe, dem::Packing& 
 
 // Written under a name of this process's own: runs started together prepare the same packings.
 void keep(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+    if (!file.has_parent_path()) return;  // no folder for a cache
     const fs::path own = file.string() + "." + std::to_string(getpid());
     try {
         fs::create_directories(file.parent_path());

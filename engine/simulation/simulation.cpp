@@ -4,12 +4,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/contracts.hpp"
+#include "graph/access_check.hpp"
 #include "graph/step_phases.hpp"
 #include "mpm/layout.hpp"
 #include "mpm/time_step.hpp"
 
 namespace sandgraph::simulation {
 namespace {
+
+constexpr std::int64_t kCheckedSteps = 3;
 
 mpm::Points lay_out(const Spec& spec) {
     const GroundSpec& g = spec.ground;
@@ -77,7 +81,11 @@ void Simulation::step(const Vec2& velocity) {
 void Simulation::advance() {
     const double dt = state_->settings.dt;
     state_->d_over_B = d_over_B();
-    graph_.run();
+    // Development builds hold what the phases say against what they touch.
+    if (SANDGRAPH_CONTRACTS && steps_ < kCheckedSteps)
+        graph::run_checked(graph_.phases(), *state_);
+    else
+        graph_.run();
     time_ += dt;
     for (std::size_t k = 0; k < programmes_.size(); ++k)
         travel_[k] += dt * state_->bodies[k].plate.velocity.dot(programmes_[k].direction);

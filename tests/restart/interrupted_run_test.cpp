@@ -85,5 +85,27 @@ TEST_F(InterruptedRun, KilledOnItsWayHasNoSummaryOfAnEarlierEnd) {
     EXPECT_FALSE(fs::exists(out("part") / "summary.json"));
 }
 
+// A closed terminal: the shell and the kernel both say so, one after the other.
+TEST_F(InterruptedRun, AHangUpStopsLikeATermination) {
+    EXPECT_EQ(stop("hung up", SIGHUP, 5), 3);
+    EXPECT_TRUE(fs::exists(out("hung up") / "checkpoint.h5"));
+    ASSERT_EQ(run("hung up", {"--resume"}), 0);
+}
+
+int shell(const std::string& command) {
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+// Nothing secondary may end a run: progress into a full disk, a reader that has gone.
+TEST_F(InterruptedRun, OutputThatNobodyCanReadDoesNotEndIt) {
+    const std::string words = std::string(SANDGRAPH_BINARY) + " run '" + (folder_ / "scene.toml").string() +
+                              "' --until 0.002 -o '" + folder_.string() + "/";
+    EXPECT_EQ(shell(words + "full' >/dev/full 2>/dev/full"), 0);
+    EXPECT_EQ(shell("{ " + words + "pipe' 2>&1; echo $? >'" + folder_.string() + "/code'; } | true"), 0);
+    EXPECT_EQ(text_of(folder_ / "code"), "0\n");
+    for (const char* name : {"full", "pipe"}) EXPECT_TRUE(fs::exists(out(name) / "summary.json")) << name;
+}
+
 }  // namespace
 }  // namespace sandgraph::restart

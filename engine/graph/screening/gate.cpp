@@ -41,8 +41,8 @@ Verdict judge(const GateView& view, const GateSettings& settings) {
     };
     const double p = mean_stress(view.stress), ratio = p > 0 ? deviator(view.stress) / p : kBeyond;
     consider(rising(deviatoric_strain(view.F), settings.strain), Reason::strain);
-    if (view.strength > 0)
-        consider(rising(ratio / view.strength, settings.stress_ratio), Reason::stress_ratio);
+    if (view.peak_friction > 0)
+        consider(rising(ratio / view.peak_friction, settings.stress_ratio), Reason::stress_ratio);
     consider(tension_level(p, settings.tension), Reason::tension);
     consider(rising(view.distance, settings.distance), Reason::distance);
     consider(rising(view.spread, settings.spread), Reason::spread);

@@ -11,7 +11,7 @@ using stress::Reason;
 struct GateView {
     Mat2 F = Mat2::Identity();  // since the start
     Stress stress;              // answered [Pa], tension positive
-    double strength = 0;        // sin(phi) at the peak; 0: unknown
+    double peak_friction = 0;   // sin(phi) at the peak; 0: unknown
     double spread = 0, distance = 0;
     double work = 1;      // second-order work of the last increment, share of the elastic one
     double acoustic = 1;  // least determinant of the acoustic tensor, share of the elastic one

@@ -132,8 +132,8 @@ Verdict ScreeningLaw::judge_answer(std::size_t slot, const Stress& predicted) co
     const stress::Increment e = stress::increment(visits_.collected(p));
     const double elastic = contract(visits_.change(p), e);
     if (elastic > 0) view.work = 1 + contract(difference(a.stress, predicted), e) / elastic;
-    const double limit = setup_.gate.acoustic_from * view.strength;
-    if (setup_.gate.active && view.strength > 0 && deviator(a.stress) > limit * mean_stress(a.stress))
+    const double limit = setup_.gate.acoustic_from * view.peak_friction;
+    if (setup_.gate.active && view.peak_friction > 0 && deviator(a.stress) > limit * mean_stress(a.stress))
         view.acoustic = acoustic_share(p, e);
     return judge(view, setup_.gate);
 }
@@ -194,7 +194,10 @@ void ScreeningLaw::replace_failed() {
     for (std::size_t slot = 0; slot < asked_.size(); ++slot)
         if (verdicts_[slot].reason == Reason::failed_answer) {
             const auto p = static_cast<std::size_t>(asked_[slot]);
-            lost.push_back({.rve = p, .path = &paths_[p], .path_steps = std::numeric_limits<int>::max()});
+            lost.push_back({.rve = p,
+                            .increment = {},
+                            .path = &paths_[p],
+                            .path_steps = std::numeric_limits<int>::max()});
         }
     std::vector<RveAnswer> driven(lost.size());
     pool_->drive(lost, driven);

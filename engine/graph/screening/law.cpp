@@ -174,7 +174,8 @@ void ScreeningLaw::drive() {
 // history is over.
 RveJob ScreeningLaw::rve_job(const Job& job) {
     const auto p = static_cast<std::size_t>(job.point);
-    RveJob out{.rve = p};
+    RveJob out;
+    out.rve = p;
     if (visits_.due(job.point)) out.increment = visits_.collected(p);
     if (job.task == Task::replay) out.path = &paths_[p], out.path_steps = setup_.hand_over.replay_steps;
     if (job.task == Task::audit) {

@@ -12,7 +12,7 @@ namespace {
 GateView quiet() {
     GateView view;
     view.stress = {-1e4, -1e4, 0};
-    view.strength = 0.5;
+    view.peak_friction = 0.5;
     return view;
 }
 
@@ -48,7 +48,7 @@ TEST(Gate, EachMeasurePassesAtItsThreshold) {
     EXPECT_EQ(judge(ratio, set).reason, Reason::stress_ratio);
     EXPECT_GE(judge(ratio, set).level, 1);
     tension.stress = {1, 1, 0};
-    tension.strength = 0;
+    tension.peak_friction = 0;
     EXPECT_EQ(judge(tension, set).reason, Reason::tension);
     EXPECT_GE(judge(tension, set).level, 1);
     distance.distance = set.distance;

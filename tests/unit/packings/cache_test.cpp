@@ -51,5 +51,19 @@ TEST(PackingCache, ServesRunsThatAreStartedTogether) {
     EXPECT_EQ(files, kPackings);
 }
 
+// Without a cache a packing is made each time; that is all.
+TEST(PackingCache, ThatCannotBeReachedIsPassedOver) {
+    for (const std::string& folder :
+         {std::string("/tmp/") + std::string(300, 'a'), std::string("/dev/null/x")}) {
+        setenv("SANDGRAPH_CACHE", folder.c_str(), 1);
+        EXPECT_EQ(cached_packing("unreachable", {}, [] { return packing(1); }).x, packing(1).x) << folder;
+        EXPECT_EQ(cached_numbers("unreachable", 1, [] { return std::vector<double>{3}; })[0], 3) << folder;
+    }
+    for (const char* name : {"SANDGRAPH_CACHE", "XDG_CACHE_HOME", "HOME"}) unsetenv(name);
+    setenv("TMPDIR", "/nonexistent", 1);
+    EXPECT_EQ(cached_packing("no folder at all", {}, [] { return packing(2); }).x, packing(2).x);
+    unsetenv("TMPDIR");
+}
+
 }  // namespace
 }  // namespace sandgraph::packings
