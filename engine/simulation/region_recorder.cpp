@@ -99,6 +99,10 @@ std::string thousandths(double mark) {
     return value == std::round(value) ? fmt::format("{:04.0f}", value) : fmt::format("{:06.1f}", value);
 }
 
+std::string moment(const Simulation& simulation, double mark) {
+    return simulation.anchored() ? fmt::format("d/B = {:.6g}", mark) : fmt::format("t = {:.6g} s", mark);
+}
+
 }  // namespace
 
 RegionRecorder::RegionRecorder(const scene::Scene& scene, const Simulation& simulation,
@@ -167,12 +171,12 @@ void RegionRecorder::keep(const Simulation& simulation, std::size_t region, doub
     // None where a surrogate or a formula answers.
     const dem::Rve* packing = simulation.state().law->observe(point).packing;
     if (!packing)
-        return notice(fmt::format("[[region]] {}: no packing at d/B = {:g}, no grains answer there",
-                                  regions_[region].name, mark));
+        return notice(fmt::format("[[region]] {}: no packing at {}, no grains answer there",
+                                  regions_[region].name, moment(simulation, mark)));
     auto record = std::make_shared<io::PackingRecord>();
     record->packing = dem::lab_packing(*packing), record->material = material_;
-    record->recipe = fmt::format("# point {} of region {} at d/B = {:.6g}\n", point, regions_[region].name,
-                                 simulation.d_over_B());
+    record->recipe = fmt::format("# point {} of region {} at {}\n", point, regions_[region].name,
+                                 moment(simulation, simulation.mark()));
     const auto path = folder / "packings" / fmt::format("{}_{}.h5", regions_[region].name, thousandths(mark));
     writer.post([record, path] {
         std::filesystem::create_directory(path.parent_path());  // not the run folder: that may be gone
