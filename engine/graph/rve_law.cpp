@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/byte_stream.hpp"
+#include "base/contracts.hpp"
 #include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {
@@ -40,13 +41,16 @@ void RveCounters::count(const dem::RveReport& report, bool waited, double error)
 }
 
 dem::RveUpdate update_of(std::int32_t point, const RveJob& job, const RveAnswer& answer) {
+    SG_EXPECT(job.increment && answer.seen);
     return {point, *job.increment, answer.report, answer.stress, answer.volume_ratio, *answer.seen};
 }
 
 RveLaw::RveLaw(RveLawSetup setup)
     : setup_(std::move(setup)),
       visits_(setup_.row_of_point.size()),
-      pool_(local_pool(setup_.initial_packings(), setup_.material, setup_.options)) {}
+      pool_(local_pool(setup_.initial_packings(), setup_.material, setup_.options)) {
+    SG_ENSURE(pool_->size() == visits_.size());
+}
 
 void RveLaw::initialise(const stress::Batch& batch) {
     for (const std::int32_t p : batch.points) batch.stress[p] = tension_positive(pool_->stress(p));
@@ -114,6 +118,7 @@ void RveLaw::drive(const stress::Batch& batch) {
 
 void RveLaw::settle(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = due_[slot].point;
+    SG_EXPECT(visits_.due(p));
     const Stress now = tension_positive(answers_[slot].stress);
     const double reference = reference_pressure(now, setup_.options.pressure_floor);
     const double error = norm(difference(now, batch.stress[p])) / reference;

@@ -1,5 +1,7 @@
 #include "graph/rve_pool.hpp"
 
+#include "base/contracts.hpp"
+
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -9,6 +11,13 @@ namespace sandgraph::graph {
 namespace {
 
 constexpr double kLargestPiece = 0.1;  // strain of one update that catches up
+
+// Every job names a packing of the pool, none twice.
+[[maybe_unused]] bool each_once(std::span<const RveJob> jobs, std::size_t packings) {
+    std::vector<std::uint8_t> named(packings, 0);
+    return std::ranges::all_of(
+        jobs, [&](const RveJob& job) { return job.rve < packings && named[job.rve]++ == 0; });
+}
 
 class LocalPool final : public RvePool {
   public:
@@ -21,6 +30,8 @@ class LocalPool final : public RvePool {
     }
 
     void drive(std::span<const RveJob> jobs, std::span<RveAnswer> answers) override {
+        SG_EXPECT(jobs.size() == answers.size());
+        SG_EXPECT(each_once(jobs, rves_.size()));
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, jobs.size(), 1),
             [&](const auto& range) {

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/contracts.hpp"
 #include "stress/increment.hpp"
 
 namespace sandgraph::graph {
@@ -34,6 +35,7 @@ double strain_norm(const Mat2& F_inc) {
 
 void StrainPath::add(const Mat2& F) {
     if (!F.allFinite()) return;
+    SG_EXPECT(F.determinant() > 0);
     if (knots_.size() + 1 >= knots_max) merge();
     extend(F);
 }
@@ -66,6 +68,7 @@ bool StrainPath::near_chord(const Mat2& end) const {
 }
 
 void StrainPath::merge() {
+    SG_EXPECT(tolerance_ > 0);
     while (knots_.size() > knots_max / 2) {
         tolerance_ *= 2;
         std::vector<Mat2> old;
@@ -78,6 +81,7 @@ void StrainPath::merge() {
 }
 
 Mat2 StrainPath::advance(double budget) {
+    SG_EXPECT(budget > 0);
     const Mat2 target = knots_.empty() ? latest_ : knots_.front(), inverse = driven_.inverse();
     const Mat2 whole = target * inverse;
     const double strain = strain_norm(whole);

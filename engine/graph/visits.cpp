@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/contracts.hpp"
 #include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {
@@ -12,6 +13,7 @@ namespace {
 double next_admissible(double change, double error, const VisitSettings& settings) {
     const double factor =
         std::clamp(0.9 * std::sqrt(settings.update_tolerance / std::max(error, 1e-12)), 0.25, 2.0);
+    SG_EXPECT(0.5 * settings.update_tolerance <= settings.update_change_max);
     return std::clamp(change * factor, 0.5 * settings.update_tolerance, settings.update_change_max);
 }
 
@@ -26,6 +28,7 @@ Visits::Visits(std::size_t points)
 
 bool Visits::answered(std::int32_t point, double reference, double error, const VisitSettings& settings) {
     const auto p = static_cast<std::size_t>(point);
+    SG_EXPECT(reference > 0 && !(error < 0));
     admissible_[p] = next_admissible(norm(change_[p]) / reference, error, settings);
     collected_[p].setIdentity();
     change_[p] = {};

@@ -16,6 +16,7 @@ namespace {
 constexpr std::int64_t kCheckedSteps = 3;
 
 mpm::Points lay_out(const Spec& spec) {
+    SG_EXPECT(spec.grid.cell > 0 && spec.ground.density > 0 && spec.law);
     const GroundSpec& g = spec.ground;
     mpm::Layout layout{g.extent, spec.grid.cell, g.points_per_cell, g.density, g.cavities, g.inside};
     for (const BodySpec& body : spec.bodies) layout.cavities.push_back(body.plate.rectangle());
@@ -80,6 +81,7 @@ void Simulation::step(const Vec2& velocity) {
 
 void Simulation::advance() {
     const double dt = state_->settings.dt;
+    SG_EXPECT(state_->bodies.size() == programmes_.size() && state_->settings.dt > 0);
     state_->d_over_B = d_over_B();
     // Development builds hold what the phases say against what they touch.
     if (SANDGRAPH_CONTRACTS && steps_ < kCheckedSteps)

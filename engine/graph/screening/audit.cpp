@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/contracts.hpp"
 #include "base/random.hpp"
 #include "graph/stress_arithmetic.hpp"
 #include "graph/visits.hpp"
@@ -52,6 +53,7 @@ std::vector<std::int32_t> draw_sample(std::size_t points, const AuditSettings& s
 }
 
 AuditRow estimate(std::span<const double> sample, std::size_t population) {
+    SG_EXPECT(sample.size() <= population);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const auto n = static_cast<double>(sample.size()), N = static_cast<double>(population);
     AuditRow row{0, n, N, unknown, unknown};
@@ -79,6 +81,7 @@ void AuditSample::measure(std::int32_t place, const Stress& answered, const Stre
 }
 
 void AuditSample::schedule_after(double d_over_B) {
+    SG_EXPECT(every_ > 0);
     while (next_ <= d_over_B) next_ += every_;
 }
 

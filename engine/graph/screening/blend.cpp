@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/contracts.hpp"
 #include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {
@@ -26,6 +27,7 @@ Stress tension_cut_off(const Stress& answered, Stress rest) {
 }
 
 void StressBlend::start(std::int32_t point, const Stress& jump) {
+    SG_EXPECT(steps_ > 0);
     const auto p = static_cast<std::size_t>(point);
     if (steps_left_[p] == 0) fading_.push_back(point);
     rest_[p] = jump;
@@ -46,6 +48,8 @@ Stress StressBlend::on_top_of(const Stress& answered, std::size_t point) {
 
 void StressBlend::fade(std::span<const Mat2> F_inc, std::span<const double> volume, std::span<Stress> stress,
                        double& work) {
+    SG_EXPECT(F_inc.size() == rest_.size() && stress.size() == rest_.size());
+    SG_EXPECT(volume.empty() || volume.size() == rest_.size());
     ended_.clear();
     for (const std::int32_t point : fading_) {
         const auto p = static_cast<std::size_t>(point);

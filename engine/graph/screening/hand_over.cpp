@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/contracts.hpp"
 #include "graph/screening/acoustic.hpp"
 #include "graph/screening/law.hpp"
 #include "graph/stress_arithmetic.hpp"
@@ -40,6 +41,7 @@ bool usable(const stress::SurrogateAnswer& answer, double largest_spread) {
 
 // Each stage needs what the ones before it have settled.
 void ScreeningLaw::hand_over(const stress::Batch& batch) {
+    SG_EXPECT(answers_.size() == asked_.size() && rve_answers_.size() == jobs_.size());
     note_followed_strain();  // of points by grains, whose surrogate goes along
     settle_grains(batch);    // packings' answers become stresses
     fade_jumps(batch);       // blending -> grains
@@ -248,6 +250,7 @@ bool ScreeningLaw::goes_back(std::int32_t p, const stress::SurrogateAnswer& foll
 }
 
 void ScreeningLaw::close_step(double d_over_B) {
+    SG_ENSURE(modes_.grain_points() <= size());
     ++log_.counters.steps;
     log_.counters.dem_points += static_cast<double>(modes_.grain_points());
     if (!audit_.due(d_over_B)) return;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/contracts.hpp"
 #include "graph/stress_arithmetic.hpp"
 
 namespace sandgraph::graph {
@@ -48,6 +49,8 @@ ScreeningLaw::ScreeningLaw(ScreeningSetup setup)
       F_(visits_.size(), Mat2::Identity()),
       states_(visits_.size() * setup_.surrogate->state_size()),
       caught_up_(visits_.size(), 0) {
+    SG_EXPECT(setup_.traits.size() == setup_.grains.rows.size());
+    SG_ENSURE(pool_->size() == size() + audit_.size());
     for (std::size_t p = 0; p < size(); ++p)
         paths_.emplace_back(path_tolerance(traits(p), setup_.hand_over.path_error));
 }
