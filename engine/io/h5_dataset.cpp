@@ -137,7 +137,7 @@ std::size_t entries(const Group& group, std::string_view name, const Handle& dat
 template <class T>
 void write(Group& group, std::string_view name, std::span<const T> values, const Shape& shape,
            std::string_view unit, Storage storage) {
-    SG_EXPECT(!name.empty() && !shape.empty() && values.size() == product(shape));
+    SG_EXPECT(!name.empty() && values.size() == product(shape));  // no shape: a scalar
     const std::string label(name);
     const Handle links = own(H5Pcreate(H5P_LINK_CREATE), H5Pclose, group.file(), "create a property list");
     H5Pset_create_intermediate_group(links.get(), 1);

@@ -186,7 +186,6 @@ void read_grains(const h5::Group& group, dem::Packing& p) {
 }  // namespace
 
 void write_packing(const std::filesystem::path& path, const PackingRecord& record) {
-    SG_EXPECT(record.packing.y.size() == record.packing.size());
     SG_EXPECT(record.packing.r.size() == record.packing.size());
     AtomicFile target(path);
     h5::File file = h5::File::create(target.temporary());

@@ -39,7 +39,7 @@ void check(const PressureTarget& target) {
 Packing compress_to(const Packing& packing, const PressureTarget& target, const Material& material,
                     const AssemblyFactory& factory, const ProgressCallback& progress) {
     check(target);
-    SG_EXPECT(factory && target.tolerance > 0 && target.rate > 0 && target.dt > 0);
+    SG_EXPECT(factory && target.tolerance > 0 && target.rate > 0 && target.dt >= 0);
     const auto assembly = factory(packing, calm(material));
     const PressureStage stage = stage_of(target, packing, material);
     PressureStage accepted = stage;
