@@ -75,8 +75,9 @@ std::string scale_colours(const results::PointValues& shown, const ColourRange& 
 }
 
 std::string colours(const results::PointValues& shown, const ColourRange& range) {
-    return (shown.kinds.empty() ? scale_colours(shown, range) : kind_colours(shown)) +
-           "set rmargin at screen 0.83\n";
+    // Kinds are told in words beside the colours.
+    return shown.kinds.empty() ? scale_colours(shown, range) + "set rmargin at screen 0.83\n"
+                               : kind_colours(shown) + "set rmargin at screen 0.8\n";
 }
 
 std::string plate(const io::Frame& frame, const results::GroundView& view) {

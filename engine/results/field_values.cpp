@@ -71,7 +71,7 @@ PointValues point_values(const io::Frame& frame, Quantity quantity) {
                     "-",
                     false,
                     field(frame, "mode", 1).values,
-                    {"surrogate", "replay", "shadow", "blending", "grains", "critical-state shear"}};
+                    {"surrogate", "replay", "shadow", "blending", "grains", "critical state"}};
         case Quantity::porosity:
             break;
     }
