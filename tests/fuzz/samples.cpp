@@ -113,7 +113,8 @@ void write_run(const fs::path& file) {
     run.set_timing("contact", 0.1);
     // More than eight: HDF5 keeps the names of a large group in another way.
     for (const char* name : {"a", "b", "c", "d", "e", "f", "g", "h", "updates"}) run.set_counter(name, 7);
-    run.set_screening({{"none", "strain"}, {{3, 0.001, 1, stress::Reason::strain, 0.1}}, {{0.01, 2, 100, 0.1, 0.05}}});
+    run.set_screening(
+        {{"none", "strain"}, {{3, 0.001, 1, stress::Reason::strain, 0.1}}, {{0.01, 2, 100, 0.1, 0.05}}});
     run.append(frame());
     fs::copy_file(run.path(), file, fs::copy_options::overwrite_existing);
     fs::remove_all(folder);
