@@ -56,7 +56,7 @@ endfunction()
 
 # sandgraph_test(unit/dem LINK sg_dem ... [TIER slow] [PHYSICS Rve.LongOne ...]): program test_unit_dem from every .cpp of
 # tests/unit/dem. Its tier is the first folder's name unless told; tests named after PHYSICS take too long for it. Those
-# that start the program (OUTSIDE) know it as SANDGRAPH_BINARY.
+# that start the program (OUTSIDE) wait for it.
 function(sandgraph_test folder)
   cmake_parse_arguments(ARG "OUTSIDE" "TIER" "LINK;PHYSICS" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
@@ -65,11 +65,8 @@ function(sandgraph_test folder)
     return()
   endif()
   add_executable(test_${name} ${sources})
-  target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
-  target_compile_definitions(test_${name} PRIVATE SANDGRAPH_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
-                             SANDGRAPH_SOURCE="${CMAKE_SOURCE_DIR}")
+  target_link_libraries(test_${name} PRIVATE ${ARG_LINK} test_paths GTest::gtest GTest::gtest_main)
   if(ARG_OUTSIDE)
-    target_compile_definitions(test_${name} PRIVATE SANDGRAPH_BINARY="$<TARGET_FILE:sandgraph>")
     add_dependencies(test_${name} sandgraph)
   endif()
   if(NOT ARG_TIER)

@@ -18,6 +18,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "support/paths.hpp"
 #include "tests/bench/kernel_forms-inl.hpp"
 
 #if HWY_ONCE
@@ -102,7 +103,8 @@ void print_forms(const bench::Sheared& sheared, double clock, int contacts) {
 
 int main(int argc, char** argv) {
     using namespace sandgraph::dem;
-    const bench::Sheared sheared(argc > 1 ? argv[1] : SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv");
+    const bench::Sheared sheared(argc > 1 ? argv[1]
+                                          : sandgraph::test::test_data("/yade/packing_dense_p32.csv"));
     const double clock = bench::clock_GHz();
     const int contacts = sheared.contacts();
     std::printf("%s, clock %.2f GHz (chain of additions), %d disks, %d contacts, %d listed pairs\n",

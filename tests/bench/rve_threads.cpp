@@ -14,6 +14,7 @@
 #include "dem/packing/csv.hpp"
 #include "dem/packing/observables.hpp"
 #include "dem/rve.hpp"
+#include "support/paths.hpp"
 #include "tests/support/table1_options.hpp"
 
 namespace {
@@ -72,7 +73,7 @@ double median(std::vector<double> v) {
 
 int main(int argc, char** argv) {
     const int rounds = argc > 1 ? std::atoi(argv[1]) : 7;
-    const Packing packing = read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv");
+    const Packing packing = read_packing_csv(sandgraph::test::test_data("/yade/packing_dense_p32.csv"));
     const auto initial = compact(packing, kMaterial, 32e3 * Mat2::Identity());
     std::vector<Rve> rves;
     for (int k = 0; k < kRves; ++k) rves.emplace_back(initial);

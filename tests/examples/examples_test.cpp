@@ -9,6 +9,7 @@
 
 #include "laboratory/probe_plan.hpp"
 #include "scene/train_spec.hpp"
+#include "support/paths.hpp"
 #include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path configs = fs::path(SANDGRAPH_SOURCE) / "configs";
+const fs::path configs = fs::path(sandgraph::test::source_file("/configs"));
 
 constexpr double same = 1e-6;     // relative: other instruction sets sum in another order
 constexpr double packing = 0.05;  // where grains answer: another rounding makes another packing
@@ -158,7 +159,8 @@ TEST_P(OfElement, GivesItsLastRow) {
     const Shell shell("example_" + name_of(e.file));
     std::ifstream in(configs / e.file);
     shell.write("t.toml", with((std::ostringstream() << in.rdbuf()).str(), e.key, e.shortened));
-    ran(shell.run("rve test t.toml --packing " SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv -o t.csv"));
+    ran(shell.run("rve test t.toml --packing " + sandgraph::test::test_data("/yade/packing_dense_p32.csv") +
+                  " -o t.csv"));
     const std::string csv = shell.read("t.csv");
     EXPECT_NEAR(last(csv, "step"), e.steps, 2);  // the consolidation before it ends by its stress
     EXPECT_NEAR(last(csv, "sxx"), e.sxx, e.tolerance * e.syy);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "fuzz/readers.hpp"
+#include "support/paths.hpp"
 
 namespace sandgraph::fuzz {
 namespace {
@@ -19,7 +20,7 @@ void read_copy(const Reader& reader, const fs::path& original) {
 }
 
 TEST_P(HostileFiles, WhatFuzzingFoundIsReadOrRefused) {
-    const fs::path folder = fs::path(SANDGRAPH_SOURCE) / "tests/fuzz/findings" / GetParam().name;
+    const fs::path folder = fs::path(sandgraph::test::source_file("/tests/fuzz/findings")) / GetParam().name;
     if (!fs::exists(folder)) return;  // nothing found yet
     for (const auto& entry : fs::directory_iterator(folder)) read_copy(GetParam(), entry.path());
 }

@@ -8,6 +8,7 @@
 #include "io/history_file.hpp"
 #include "io/packing_file.hpp"
 #include "io/run_file.hpp"
+#include "support/paths.hpp"
 #include "surrogate/model_file.hpp"
 #include "tests/support/random_model.hpp"
 
@@ -67,7 +68,7 @@ void write_segments(const fs::path& file) {
 }
 
 void write_probe(const fs::path& file) {
-    fs::copy_file(fs::path(SANDGRAPH_SOURCE) / "configs/models/probe.toml", file,
+    fs::copy_file(fs::path(sandgraph::test::source_file("/configs/models/probe.toml")), file,
                   fs::copy_options::overwrite_existing);
 }
 void write_train(const fs::path& file) {

@@ -12,6 +12,7 @@
 #include "io/history_file.hpp"
 #include "io/packing_file.hpp"
 #include "io/run_record.hpp"
+#include "support/paths.hpp"
 #include "tests/support/program.hpp"
 
 namespace sandgraph::restart {
@@ -74,8 +75,8 @@ class InterruptedRun : public testing::Test {
     fs::path out(const std::string& name) const { return folder_ / name; }
 
     pid_t start(const std::string& name, std::vector<std::string> more = {}) const {
-        std::vector<std::string> words = {SANDGRAPH_BINARY, "run", (folder_ / "scene.toml").string(), "-o",
-                                          out(name).string()};
+        std::vector<std::string> words = {sandgraph::test::program(), "run",
+                                          (folder_ / "scene.toml").string(), "-o", out(name).string()};
         words.insert(words.end(), more.begin(), more.end());
         return support::start_program(std::move(words), "/dev/null");
     }

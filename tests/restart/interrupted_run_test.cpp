@@ -1,4 +1,5 @@
 #include "tests/restart/interrupted_run.hpp"
+#include "support/paths.hpp"
 
 namespace sandgraph::restart {
 namespace {
@@ -99,7 +100,7 @@ int shell(const std::string& command) {
 
 // Nothing secondary may end a run: progress into a full disk, a reader that has gone.
 TEST_F(InterruptedRun, OutputThatNobodyCanReadDoesNotEndIt) {
-    const std::string words = std::string(SANDGRAPH_BINARY) + " run '" + (folder_ / "scene.toml").string() +
+    const std::string words = sandgraph::test::program() + " run '" + (folder_ / "scene.toml").string() +
                               "' --until 0.002 -o '" + folder_.string() + "/";
     EXPECT_EQ(shell(words + "full' >/dev/full 2>/dev/full"), 0);
     EXPECT_EQ(shell("{ " + words + "pipe' 2>&1; echo $? >'" + folder_.string() + "/code'; } | true"), 0);

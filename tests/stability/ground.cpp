@@ -7,6 +7,7 @@
 #include "graph/visits.hpp"
 #include "mpm/audit.hpp"
 #include "packings/compressed_packings.hpp"
+#include "support/paths.hpp"
 #include "surrogate/load_surrogate.hpp"
 
 namespace sandgraph::stability {
@@ -50,7 +51,8 @@ std::unique_ptr<stress::Law> law_of(const GroundSpec& spec, const packings::Comp
                                     graph::RveLawSetup grains) {
     if (!spec.screening) return std::make_unique<graph::RveLaw>(std::move(grains));
     graph::ScreeningSetup setup;
-    setup.surrogate = surrogate::load_surrogate(SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5");
+    setup.surrogate =
+        surrogate::load_surrogate(sandgraph::test::source_file("/configs/models/table1.surrogate.h5"));
     const double angle = packings.friction();
     for (const graph::RowPacking& row : grains.rows) setup.traits.push_back(packings.traits(row, angle));
     setup.grains = std::move(grains);

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "io/checkpoint.hpp"
+#include "support/paths.hpp"
 
 namespace sandgraph::stability {
 namespace {
@@ -53,7 +54,8 @@ RunFolder::RunFolder(Effort effort, RunMode mode) {
     fs::create_directories(folder_);
     std::ofstream(folder_ / "scene.toml") << kScene;
     if (mode == RunMode::screening)
-        always_ = {"--set", "surrogate.model=" SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5"};
+        always_ = {"--set",
+                   "surrogate.model=" + sandgraph::test::source_file("/configs/models/table1.surrogate.h5")};
     for (const std::string& s : settings(effort, mode)) always_.insert(always_.end(), {"--set", s});
 }
 
@@ -64,8 +66,8 @@ RunFolder::~RunFolder() {
 
 pid_t RunFolder::start(const std::string& name, const std::vector<std::string>& more,
                        const support::ProgramLimits& limits) const {
-    std::vector<std::string> words = {SANDGRAPH_BINARY, "run", (folder_ / "scene.toml").string(), "-o",
-                                      (folder_ / name).string()};
+    std::vector<std::string> words = {sandgraph::test::program(), "run", (folder_ / "scene.toml").string(),
+                                      "-o", (folder_ / name).string()};
     words.insert(words.end(), always_.begin(), always_.end());
     words.insert(words.end(), more.begin(), more.end());
     return support::start_program(std::move(words), folder_ / (fs::path(name).filename().string() + ".log"),

@@ -6,6 +6,7 @@
 #include "dem/packing/csv.hpp"
 #include "dem/rve.hpp"
 #include "dem/stretch.hpp"
+#include "support/paths.hpp"
 #include "tests/support/table1_options.hpp"
 
 namespace sandgraph::stability {
@@ -39,7 +40,7 @@ class RveSample {
 
   private:
     static std::shared_ptr<const dem::CompactPacking> resting(const std::string& density) {
-        const std::string file = SANDGRAPH_TEST_DATA "/yade/packing_" + density + "_p32.csv";
+        const std::string file = sandgraph::test::test_data("/yade/packing_") + density + "_p32.csv";
         dem::FastAssembly a(dem::read_packing_csv(file), {});
         a.step(Mat2::Zero(), 1e-5, 4000);
         return dem::compact(a.packing(), {}, a.stress());

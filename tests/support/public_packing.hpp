@@ -3,13 +3,14 @@
 #include "dem/packing/csv.hpp"
 #include "graph/rve_law.hpp"
 #include "stress/surrogate.hpp"
+#include "support/paths.hpp"
 
 namespace sandgraph::support {
 
 // The public dense packing at 32 kPa, at rest.
 inline graph::RowPacking public_packing() {
     static const graph::RowPacking row = [] {
-        dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv"),
+        dem::FastAssembly a(dem::read_packing_csv(sandgraph::test::test_data("/yade/packing_dense_p32.csv")),
                             dem::Material{});
         a.step(Mat2::Zero(), 1e-5, 4000);
         return graph::RowPacking{dem::compact(a.packing(), dem::Material{}, a.stress()), {2.0e7, 1.4e7}};

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include "support/paths.hpp"
 
 namespace sandgraph::app {
 
@@ -28,8 +29,8 @@ class Shell {
         std::string out, err;
     };
     Outcome run(const std::string& arguments) const {
-        const std::string command =
-            "cd '" + folder_.string() + "' && '" + SANDGRAPH_BINARY + "' " + arguments + " >.out 2>.err";
+        const std::string command = "cd '" + folder_.string() + "' && '" + sandgraph::test::program() + "' " +
+                                    arguments + " >.out 2>.err";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(".out"), read(".err")};
     }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/content.hpp"
+#include "support/paths.hpp"
 #include "surrogate/model_file.hpp"
 #include "tests/support/random_model.hpp"
 #include "tests/support/subprocess.hpp"
@@ -34,7 +35,7 @@ frames = [0, 0.01]
 
 using Change = std::function<void(surrogate::Model&)>;
 
-const std::string kShipped = std::string(SANDGRAPH_SOURCE) + "/configs/models/table1.surrogate.h5";
+const std::string kShipped = sandgraph::test::source_file("/configs/models/table1.surrogate.h5");
 
 surrogate::Model shipped(const Change& change) {
     surrogate::Model model = surrogate::read_model(kShipped).model;

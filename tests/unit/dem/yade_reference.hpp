@@ -6,10 +6,11 @@
 
 #include "base/csv.hpp"
 #include "dem/packing/packing.hpp"
+#include "support/paths.hpp"
 
 namespace sandgraph::dem::test {
 
-inline std::string yade_file(const std::string& name) { return SANDGRAPH_TEST_DATA "/yade/" + name; }
+inline std::string yade_file(const std::string& name) { return sandgraph::test::test_data("/yade/") + name; }
 
 // A reference CSV: '#' lines skipped, a header, rows of numbers (words become 0).
 struct Table {

@@ -8,6 +8,7 @@
 #include "dem/fast/fast.hpp"
 #include "dem/packing/csv.hpp"
 #include "laboratory/study_table.hpp"
+#include "support/paths.hpp"
 
 namespace sandgraph::laboratory {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 const StudySample& sample() {
     static const StudySample packing = [] {
         const dem::Material material;
-        dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p32.csv"),
+        dem::FastAssembly a(dem::read_packing_csv(sandgraph::test::test_data("/yade/packing_dense_p32.csv")),
                             material);
         a.step(Mat2::Zero(), 1e-5, 4000);
         return StudySample{{dem::compact(a.packing(), material, a.stress()), {2.0e7, 1.4e7}}, material};
@@ -138,7 +139,7 @@ TEST(StudyRun, TwoFineAnswersAgreeBetterThanTheDefault) {
 
 TEST(StudyRun, TheDefaultErrsByOnePercentAtMostNearZeroPressure) {
     StudySample low = sample();
-    dem::FastAssembly a(dem::read_packing_csv(SANDGRAPH_TEST_DATA "/yade/packing_dense_p10.csv"),
+    dem::FastAssembly a(dem::read_packing_csv(sandgraph::test::test_data("/yade/packing_dense_p10.csv")),
                         low.material);
     dem::compress(a, {.pressure = study_pressure_low, .rate = 0.05}, 2e7);
     low.row.packing = dem::compact(a.packing(), low.material, a.stress());

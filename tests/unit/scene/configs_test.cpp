@@ -4,12 +4,13 @@
 #include "scene/probe_spec.hpp"
 #include "scene/recipe_spec.hpp"
 #include "scene/train_spec.hpp"
+#include "support/paths.hpp"
 #include "tests/unit/scene/refused.hpp"
 
 namespace sandgraph::scene {
 namespace {
 
-const std::string configs = std::string(SANDGRAPH_SOURCE) + "/configs/";
+const std::string configs = sandgraph::test::source_file("/configs/");
 
 // Examples that nobody runs rot; what they are is told by their names. tests/examples runs them.
 TEST(Configs, AllAreValid) {

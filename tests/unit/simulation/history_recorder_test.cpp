@@ -12,6 +12,7 @@
 #include "scene/read_scene.hpp"
 #include "simulation/history_points.hpp"
 #include "simulation/scene_spec.hpp"
+#include "support/paths.hpp"
 #include "surrogate/load_surrogate.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -104,12 +105,13 @@ TEST(HistoryRecorder, LogIsThePackingsHistory) { EXPECT_GT(replayed(log(), io::H
 
 // What a screening run is retrained from: grains along the strain that the surrogate led to.
 TEST(HistoryRecorder, LogOfAScreeningRunIsThatOfItsAuditedPackings) {
-    const std::vector<std::string> set = {"mode=screening", "audit.share=0.05", "gate.active=false",
-                                          "surrogate.model=" SANDGRAPH_SOURCE
-                                          "/configs/models/table1.surrogate.h5"};
+    const std::vector<std::string> set = {
+        "mode=screening", "audit.share=0.05", "gate.active=false",
+        "surrogate.model=" + sandgraph::test::source_file("/configs/models/table1.surrogate.h5")};
     const scene::Scene scene = scene::parse_scene(kScene, "s.toml", set);
     packings::PreparedGround screened = ground();
-    screened.surrogate = surrogate::load_surrogate(SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5");
+    screened.surrogate =
+        surrogate::load_surrogate(sandgraph::test::source_file("/configs/models/table1.surrogate.h5"));
     const io::HistoryLog log = logged(scene, screened, 2, kSteps);
     EXPECT_GT(replayed(log, io::HistoryMode::audit), 100u);
 }

@@ -2,6 +2,7 @@
 
 #include "scene/read_scene.hpp"
 #include "simulation/build_screening.hpp"
+#include "support/paths.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::simulation {
@@ -44,7 +45,8 @@ TEST(ModelFile, IsElseTheOneOfTheProgram) {
     const Scratch elsewhere;
     const fs::path file = found(elsewhere);
     EXPECT_EQ(file.filename(), kName);
-    EXPECT_EQ(fs::canonical(file), fs::canonical(SANDGRAPH_SOURCE "/configs/models/table1.surrogate.h5"));
+    EXPECT_EQ(fs::canonical(file),
+              fs::canonical(sandgraph::test::source_file("/configs/models/table1.surrogate.h5")));
 }
 
 }  // namespace

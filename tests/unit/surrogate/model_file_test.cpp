@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "io/info.hpp"
+#include "support/paths.hpp"
 #include "surrogate/load_surrogate.hpp"
 #include "surrogate/model.hpp"
 #include "surrogate/model_file.hpp"
@@ -176,7 +177,7 @@ TEST(CheckModel, StrengthBeyondFrictionIsRefused) {
 // Loading checks file, features, self test and physics: a change of the equations that leaves the shipped
 // weights behind shows here.
 TEST(ShippedModel, IsAcceptedByThisVersion) {
-    EXPECT_NO_THROW(load_surrogate(std::string(SANDGRAPH_SOURCE) + "/configs/models/table1.surrogate.h5"));
+    EXPECT_NO_THROW(load_surrogate(sandgraph::test::source_file("/configs/models/table1.surrogate.h5")));
 }
 
 }  // namespace
