@@ -5,6 +5,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
 #include "report/pareto_picture.hpp"
 #include "report/run_pictures.hpp"
 #include "results/pareto_study.hpp"
@@ -21,12 +22,13 @@ report::ParetoPicture picture_of(const std::vector<results::ParetoRow>& rows, co
 }
 
 int study(const results::ParetoRequest& request) {
+    const std::filesystem::path folder = request.run.folder;
+    const io::FolderLock owner(folder);
     const auto rows = results::pareto_study(request);
     if (!rows) {
         fmt::print(stderr, "stopped; the same command goes on\n");
         return exit_stopped_early;
     }
-    const std::filesystem::path folder = request.run.folder;
     const std::string csv = results::to_csv(*rows);
     io::write_text(folder / "pareto.csv", csv);
     fmt::print("{}", csv);

@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
 #include "report/html.hpp"
 #include "report/run_report.hpp"
 
@@ -36,8 +37,7 @@ std::string pareto_chapter(const std::vector<std::string>& folders) {
 void run(const Arguments& a) {
     const std::vector<results::FinishedRun> runs = results::find_runs(a.folders);
     const fs::path out = a.out;
-    io::require_writable(out);
-    fs::create_directories(out);
+    const io::FolderLock owner(out);
     std::string body =
         fmt::format("<h1>Plate anchors in sand</h1>\n<p class=\"lead\">{} run{}; made by sandgraph</p>\n",
                     runs.size(), runs.size() == 1 ? "" : "s");

@@ -6,6 +6,7 @@
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
 #include "laboratory/critical_table.hpp"
 #include "report/critical_picture.hpp"
 
@@ -38,8 +39,7 @@ report::CriticalPicture picture_of(const std::vector<laboratory::CriticalTest>& 
 
 void run(Options options) {
     const std::filesystem::path folder = options.folder;
-    io::require_writable(folder);
-    std::filesystem::create_directories(folder);
+    const io::FolderLock owner(folder);
     options.plan.pressures.clear();
     for (const double p : options.kilopascals) options.plan.pressures.push_back(1e3 * p);
     const std::vector<laboratory::CriticalTest> tests = test_with_progress(options.plan);

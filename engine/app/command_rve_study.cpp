@@ -9,6 +9,7 @@
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
 #include "laboratory/study_table.hpp"
 #include "report/study_picture.hpp"
 
@@ -70,8 +71,7 @@ bool chosen(const Options& options, const std::string& history) {
 
 void run(const Options& options) {
     const std::filesystem::path folder = options.out;
-    io::require_writable(folder);
-    std::filesystem::create_directories(folder);
+    const io::FolderLock owner(folder);
     const int seeds = options.quick ? 1 : options.seeds;
     const Samples samples = make_samples(seeds);
     const std::vector<laboratory::StudySetting> settings = laboratory::study_settings(options.quick);

@@ -6,6 +6,7 @@
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
 #include "laboratory/soil_laboratory.hpp"
 #include "laboratory/strength_table.hpp"
 #include "report/biaxial_picture.hpp"
@@ -60,8 +61,7 @@ std::vector<laboratory::Specimen> test_with_progress(const laboratory::Laborator
 
 void run(const Options& options) {
     const std::filesystem::path folder = options.folder;
-    io::require_writable(folder);
-    std::filesystem::create_directories(folder);
+    const io::FolderLock owner(folder);
     const auto specimens = test_with_progress(options.quick ? shortened(options.plan) : options.plan);
     const std::vector<laboratory::StrengthRow> rows = strength_rows(specimens);
     io::write_text(folder / "table1.csv", laboratory::strength_csv(rows));

@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -25,7 +29,40 @@ fs::path folder_of(const fs::path& path) {
 
 constexpr int kMostLinks = 40;  // as the kernel follows
 
-namespace fs = std::filesystem;
+// Of this process and this moment: the same file may be written by several programs, and threads, at once.
+fs::path own_name(const fs::path& final_path) {
+    static std::atomic<int> count{0};
+    return fmt::format("{}.{}-{}.tmp", final_path.string(), getpid(), count++);
+}
+
+// The process in "FILE.1234-0.tmp"; 0 for any other name.
+pid_t writer_of(const fs::path& file, const std::string& final_name) {
+    const std::string name = file.filename().string();
+    int pid = 0, count = 0, length = 0;
+    if (!name.starts_with(final_name + '.')) return 0;
+    const char* rest = name.c_str() + final_name.size();
+    if (std::sscanf(rest, ".%d-%d.tmp%n", &pid, &count, &length) != 2 || rest[length] != 0) return 0;
+    return length > 0 ? pid : 0;
+}
+
+// No process of this machine has it, and none of another one has touched it for a while.
+bool abandoned(const fs::path& file, pid_t writer) {
+    if (writer <= 0 || ::kill(writer, 0) == 0 || errno != ESRCH) return false;
+    std::error_code gone;
+    const auto age = fs::file_time_type::clock::now() - fs::last_write_time(file, gone);
+    return !gone && age > std::chrono::minutes(10);
+}
+
+template <class Wanted>
+void remove_if(const fs::path& final_path, const Wanted& wanted) {
+    const std::string name = final_path.filename().string();
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder_of(final_path), ignored))
+        if (const pid_t writer = writer_of(entry.path(), name); writer > 0 && wanted(entry.path(), writer))
+            fs::remove(entry.path(), ignored);
+}
+
+void remove_abandoned(const fs::path& final_path) { remove_if(final_path, abandoned); }
 
 // Tried out: access() says yes to root even where nothing can be written.
 bool can_write_in(const fs::path& folder) {
@@ -54,13 +91,18 @@ void sync_to_disk(const fs::path& path) {
     if (status != 0 && code != EINVAL) fail(code, path, "flush");
 }
 
-AtomicFile::AtomicFile(fs::path final_path) : final_(link_target(std::move(final_path))), temporary_(final_) {
-    temporary_ += ".tmp";
+AtomicFile::AtomicFile(fs::path final_path)
+    : final_(link_target(std::move(final_path))), temporary_(own_name(final_)) {
+    remove_abandoned(final_);
 }
 
 AtomicFile::~AtomicFile() {
     std::error_code ignored;
     if (!committed_) fs::remove(temporary_, ignored);
+}
+
+void remove_temporaries(const fs::path& final_path) {
+    remove_if(final_path, [](auto&&...) { return true; });
 }
 
 void AtomicFile::commit() {

@@ -6,7 +6,9 @@ namespace sandgraph::io {
 
 // A file that appears whole or not at all: write to `temporary()`, then `commit()` flushes it to the disk and
 // renames it over the final name; a symbolic link stays and its target is replaced. Destroyed without commit,
-// it leaves no trace. System failures (disk full, no permission) throw std::system_error.
+// it leaves no trace; what a killed process left is swept by a later writer of the same file. The temporary
+// name is the object's own: of several writers the last to commit wins, whole. System failures (disk full, no
+// permission) throw std::system_error.
 class AtomicFile {
   public:
     explicit AtomicFile(std::filesystem::path final_path);
@@ -23,6 +25,9 @@ class AtomicFile {
     std::filesystem::path final_, temporary_;
     bool committed_ = false;
 };
+
+// What killed writers of `final_path` have left; for the owner of its folder.
+void remove_temporaries(const std::filesystem::path& final_path);
 
 // Writes a whole text file atomically.
 void write_text(const std::filesystem::path& path, std::string_view text);

@@ -55,8 +55,9 @@ CheckpointHeader read_header(const h5::Group& root, const std::string& scene_has
 fs::path previous_checkpoint(const fs::path& path) { return path.string() + ".prev"; }
 
 void remove_checkpoints(const fs::path& path) {
-    for (const fs::path& file : {path, previous_checkpoint(path), fs::path(path.string() + ".tmp")})
-        fs::remove(file);
+    fs::remove(path);
+    fs::remove(previous_checkpoint(path));
+    remove_temporaries(path);
 }
 
 CheckpointWriter::CheckpointWriter(const fs::path& path, const CheckpointHeader& header)

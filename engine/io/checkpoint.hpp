@@ -18,10 +18,10 @@ struct CheckpointHeader {
 
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path);  // PATH.prev
 
-// Removes PATH, PATH.prev, and the PATH.tmp of a writer that was killed.
+// Removes PATH, PATH.prev, and what killed writers have left of it.
 void remove_checkpoints(const std::filesystem::path& path);
 
-// Writes a checkpoint to PATH.tmp; commit() seals it, brings it to the disk and renames it, and the
+// Writes a checkpoint beside PATH; commit() seals it, brings it to the disk and renames it, and the
 // checkpoint before it stays as PATH.prev. Killed at any moment, PATH or PATH.prev is whole.
 class CheckpointWriter : public Archive {
   public:

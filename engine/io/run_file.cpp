@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 
 #include "base/contracts.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
 #include "io/frame.hpp"
+#include "io/h5_attribute.hpp"
 #include "io/h5_file.hpp"
 #include "io/history_journal.hpp"
 #include "io/xdmf.hpp"
@@ -16,6 +19,8 @@
 namespace sandgraph::io {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::array kBesideRun{"summary.json", "fields.xdmf", "history.h5", "regions.csv"};
 
 void remove_kind(const fs::path& folder, const char* extension) {
     if (!fs::is_directory(folder)) return;
@@ -26,9 +31,30 @@ void remove_kind(const fs::path& folder, const char* extension) {
 // Whatever an earlier run has left: a report would take it for this one's.
 void remove_stale(const fs::path& folder) {
     remove_restart_files(folder);
+    if (!fs::exists(folder / "run.h5")) return;  // pictures and packings of somebody else
     remove_kind(folder / "packings", ".h5"), remove_kind(folder / "pictures", ".png");
-    for (const char* name : {"run.h5", "summary.json", "fields.xdmf", "history.h5", "regions.csv"})
-        fs::remove(folder / name);
+    for (const char* name : kBesideRun) fs::remove(folder / name);
+    fs::remove(folder / "run.h5");  // last: it tells whose the others are
+    remove_temporaries(folder / "run.h5");
+}
+
+bool is_run(const fs::path& file) try {
+    const h5::File opened = h5::File::open(file);
+    const h5::Group root = opened.root();
+    return h5::has_attribute(root, ".", "content") && h5::get_text(root, ".", "content") == "run";
+} catch (const InputError&) {
+    return false;
+}
+
+[[noreturn]] void refuse_foreign(const fs::path& file) {
+    throw InputError({file.string()}, "is not of a run of this program", "a run here would write over it",
+                     "move it away, or give another folder with -o");
+}
+
+bool is_load_csv(const fs::path& file) {
+    std::string header;
+    std::getline(std::ifstream(file), header);
+    return header.empty() || header.starts_with("d_over_B,load_N_per_m");
 }
 
 // Unpacked and packed again: H5Ocopy of HDF5 1.10 crashes when the disk is full.
@@ -52,6 +78,15 @@ std::size_t archived_count(Archive& a, std::string_view name, std::size_t count)
 void remove_restart_files(const fs::path& folder) {
     remove_checkpoints(folder / checkpoint_name);
     fs::remove(folder / journal_name);
+}
+
+void require_own_outputs(const fs::path& folder) {
+    if (fs::exists(folder / "load.csv") && !is_load_csv(folder / "load.csv"))
+        refuse_foreign(folder / "load.csv");
+    const fs::path run = folder / "run.h5";
+    if (fs::exists(run)) return is_run(run) ? void() : refuse_foreign(run);
+    for (const char* name : kBesideRun)
+        if (fs::exists(folder / name)) refuse_foreign(folder / name);
 }
 
 RunFile::RunFile(fs::path folder, RunRecord record)

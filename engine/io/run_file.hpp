@@ -13,10 +13,14 @@ namespace sandgraph::io {
 // that a kill in between leaves a run that can be resumed or one that has ended.
 void remove_restart_files(const std::filesystem::path& folder);
 
+// InputError when the folder holds a file of an output's name that no run of this program has left there: a
+// run would write over it.
+void require_own_outputs(const std::filesystem::path& folder);
+
 // The growing outputs of a run folder: run.h5, load.csv, regions.csv, fields.xdmf. HDF5 cannot survive a kill
-// in mid-write, so run.h5 is never edited in place: commit() assembles run.h5.tmp (frames on disk are copied
-// over raw), brings it to the disk and renames it. Whenever the run is killed, run.h5 is the whole file of
-// the last commit and load.csv has every row.
+// in mid-write, so run.h5 is never edited in place: commit() assembles it beside it (frames on disk are
+// copied over raw), brings it to the disk and renames it. Whenever the run is killed, run.h5 is the whole
+// file of the last commit and load.csv has every row.
 class RunFile {
   public:
     // A new run; call it only when all input is checked. Outputs of an earlier run in the folder are

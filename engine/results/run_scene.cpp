@@ -33,7 +33,7 @@ simulation::RunEnd run_all(const simulation::RunRequest& a, const DrawPictures& 
     const simulation::RunOptions options = simulation::options_of(a, scene);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
-    const packings::PreparedGround ground = simulation::prepare(scene, options.folder);
+    const packings::PreparedGround ground = simulation::prepare(scene);
     simulation::RunSession session(scene, ground, options);
     if (session.run() == simulation::RunEnd::interrupted) {
         notice(fmt::format("stopped at {}; go on with: {}", standing(session.simulation()),

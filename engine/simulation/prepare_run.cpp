@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
+#include "io/folder_lock.hpp"
 #include "io/run_file.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/scene_hash.hpp"
@@ -65,17 +66,22 @@ fs::path folder_of(const RunRequest& request, const scene::Scene& scene) {
 RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
     RunOptions o;
     o.folder = folder_of(request, scene);
+    o.owner = std::make_shared<io::FolderLock>(o.folder);
     o.threads = threads_of(request);
     const double end = end_mark(scene);
     o.until = request.until > 0 ? std::min(request.until, end) : end;
     o.resume = request.resume;
-    o.resume ? require_checkpoint(o.folder, scene) : require_no_checkpoint(o.folder);
+    if (o.resume) {
+        require_checkpoint(o.folder, scene);
+    } else {
+        require_no_checkpoint(o.folder);
+        io::require_own_outputs(o.folder);
+    }
     return o;
 }
 
-packings::PreparedGround prepare(const scene::Scene& scene, const fs::path& folder) {
+packings::PreparedGround prepare(const scene::Scene& scene) {
     require_memory(scene);
-    io::require_writable(folder);
     StageProgress progress;
     std::shared_ptr<const stress::Surrogate> surrogate;
     if (scene.mode == scene::Mode::screening) surrogate = surrogate::load_surrogate(scene.screening.model);

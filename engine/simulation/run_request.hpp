@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "io/folder_lock.hpp"
 #include "scene/scene.hpp"
 
 namespace sandgraph::simulation {
@@ -19,6 +21,7 @@ struct RunRequest {
 // The same, decided.
 struct RunOptions {
     std::filesystem::path folder;
+    std::shared_ptr<io::FolderLock> owner;  // as long as the run is going on
     int threads = 0;
     double until = 0;  // mark at which to stop
     bool resume = false;

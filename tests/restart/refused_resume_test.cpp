@@ -1,3 +1,5 @@
+#include <thread>
+
 #include "io/content.hpp"
 #include "io/h5_handle.hpp"
 #include "tests/restart/interrupted_run.hpp"
@@ -28,6 +30,30 @@ TEST_F(InterruptedRun, RefusesAFolderThatCannotBe) {
     EXPECT_EQ(run("file"), 2);
     EXPECT_EQ(run("file/below"), 2);
     EXPECT_EQ(text_of(out("file")), "in the way");
+}
+
+TEST_F(InterruptedRun, WritesOverNoForeignFile) {
+    for (const char* name : {"load.csv", "summary.json", "run.h5"}) {
+        const fs::path folder = out(std::string("with_") + name);
+        fs::create_directories(folder);
+        std::ofstream(folder / name) << "x,y\n1,2\n";
+        EXPECT_EQ(run("with_" + std::string(name)), 2);
+        EXPECT_EQ(text_of(folder / name), "x,y\n1,2\n");
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << name;
+    }
+    ASSERT_EQ(run("mine", {"--until", "0.001"}), 0);
+    EXPECT_EQ(run("mine", {"--until", "0.001"}), 0) << "an earlier run's results are replaced";
+}
+
+// A second run in the folder of one that is going on is refused, and the first one's results stay its own.
+TEST_F(InterruptedRun, OwnsItsFolder) {
+    const pid_t first = start("same");
+    while (support::program_runs(first) && !fs::exists(out("same") / "load.csv"))
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(run("same", {"--set", "grains.seed=7"}), 2);
+    EXPECT_EQ(finish(first), 0);
+    ASSERT_EQ(run("alone"), 0);
+    EXPECT_EQ(text_of(out("same") / "load.csv"), text_of(out("alone") / "load.csv"));
 }
 
 TEST_F(InterruptedRun, RefusesToResumeNothingOrAnotherScene) {

@@ -30,6 +30,13 @@ bool readable(const fs::path& folder) {
     return text.empty() || text.back() == '\n';
 }
 
+// A writer was killed: its file stands there under its temporary name.
+bool holds_temporary(const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".tmp") return true;
+    return false;
+}
+
 // Every output but the scene's text, where checkpoint_every differs.
 std::map<std::string, std::string> results(const fs::path& folder) {
     auto all = digest(folder);
@@ -55,8 +62,7 @@ bool start_and_kill(const RunFolder& folder, const std::string& name, double lon
     }
     ++wreck.kills;
     wreck.odd_exits += code != 128 + SIGKILL;
-    wreck.writing += fs::exists((folder / name / io::checkpoint_name).string() + ".tmp") ||
-                     fs::exists((folder / name / "run.h5").string() + ".tmp");
+    wreck.writing += holds_temporary(folder / name);
     wreck.before_checkpoint += !folder.can_resume(name);
     wreck.unreadable += !readable(folder / name);
     return false;

@@ -178,7 +178,7 @@ TEST(RunFile, RefusedResumeLeavesTheFolderAsItWas) {
 
 TEST(RunFile, NewRunRemovesTheResultsOfAnOlderOne) {
     const Scratch folder;
-    fs::create_directories(folder / "out");
+    RunFile::create(folder / "out", info);
     fs::create_directories(folder / "out/packings");
     fs::create_directories(folder / "out/pictures");
     for (const char* name : {"out/summary.json", "out/checkpoint.h5", "out/checkpoint.h5.prev",
