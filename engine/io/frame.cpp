@@ -19,20 +19,53 @@ std::vector<double> interleaved(const Frame& frame) {
     return xy;
 }
 
+bool is_plane_vector(const Field& field) { return field.component_names == plane_vector; }
+
+std::vector<double> with_third(const std::vector<double>& xy) {
+    std::vector<double> xyz;
+    xyz.reserve(xy.size() / 2 * 3);
+    for (std::size_t k = 0; k + 1 < xy.size(); k += 2) xyz.insert(xyz.end(), {xy[k], xy[k + 1], 0});
+    return xyz;
+}
+
+std::vector<double> without_third(const std::vector<double>& xyz) {
+    std::vector<double> xy;
+    xy.reserve(xyz.size() / 3 * 2);
+    for (std::size_t k = 0; k + 2 < xyz.size(); k += 3) xy.insert(xy.end(), {xyz[k], xyz[k + 1]});
+    return xy;
+}
+
 void write_field(h5::Group& group, const Field& field, std::size_t points) {
     const auto components = static_cast<std::size_t>(field.components);
     if (field.values.size() != components * points || field.name == position)
         throw std::logic_error(
             fmt::format("field {}: {} values, {} points", field.name, field.values.size(), points));
+    const bool in_plane = is_plane_vector(field) && components == 2;
+    const std::vector<double> spatial = in_plane ? with_third(field.values) : std::vector<double>();
     h5::Shape shape{points};
-    if (components > 1) shape.push_back(components);
-    h5::write(group, field.name, std::span<const double>(field.values), shape, field.unit);
+    if (components > 1) shape.push_back(in_plane ? 3 : components);
+    h5::write(group, field.name, std::span<const double>(in_plane ? spatial : field.values), shape,
+              field.unit);
+    if (!field.component_names.empty())
+        h5::set_attribute(group, field.name, "components", field.component_names);
+    if (!field.codes.empty()) h5::set_attribute(group, field.name, "values", field.codes);
+}
+
+std::string text_or_none(const h5::Group& group, const std::string& name, const char* attribute) {
+    return h5::has_attribute(group, name, attribute) ? h5::get_text(group, name, attribute) : "";
 }
 
 Field read_field(const h5::Group& group, const std::string& name) {
     const h5::Shape shape = h5::shape(group, name);
-    return {name, h5::has_attribute(group, name, "unit") ? h5::get_text(group, name, "unit") : "",
-            shape.size() > 1 ? static_cast<int>(shape[1]) : 1, h5::read<double>(group, name)};
+    Field field{name,
+                text_or_none(group, name, "unit"),
+                shape.size() > 1 ? static_cast<int>(shape[1]) : 1,
+                h5::read<double>(group, name),
+                text_or_none(group, name, "components"),
+                text_or_none(group, name, "values")};
+    if (is_plane_vector(field) && field.components == 3)
+        field.values = without_third(field.values), field.components = 2;
+    return field;
 }
 
 }  // namespace

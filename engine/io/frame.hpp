@@ -14,7 +14,14 @@ struct Field {
     std::string unit;  // e.g. "m"
     int components = 1;
     std::vector<double> values;
+    std::string component_names = {};  // "xx yy xy", parted by blanks; empty: not told
+    std::string codes =
+        {};  // of a coded field what 0, 1, ... stand for: "surrogate replay", parted by blanks
 };
+
+// component_names of a vector in the plane. Of two components in memory, it has a third one, 0, in a file:
+// what draws arrows of a file (ParaView) takes three components for a vector, and nothing else.
+inline constexpr const char* plane_vector = "x y z";
 
 // The ground at one moment: what run.h5 keeps and ParaView shows.
 struct Frame {
@@ -39,7 +46,8 @@ struct LoadRow {
 std::string frame_name(std::size_t index);  // "0000", "0001", ...
 
 // One frame as a group: attributes time [s], d_over_B, plate_x, plate_y [m]; datasets `position` (N x 2) [m]
-// and each field (N or N x components) with its unit.
+// and each field (N or N x components) with its unit and, where they are told, the attributes `components`
+// and `values` (codes). A plane_vector is N x 3.
 void write_frame(h5::Group group, const Frame& frame);
 Frame read_frame(const h5::Group& group);
 

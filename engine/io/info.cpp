@@ -35,8 +35,9 @@ std::string dataset_line(const h5::Group& group, const std::string& name, const 
     std::string line = fmt::format("{}{:<18} {} ({})", indent, name, h5::type_name(group, name), shape);
     if (h5::has_attribute(group, name, "unit"))
         line += fmt::format(" [{}]", h5::get_text(group, name, "unit"));
-    if (h5::has_attribute(group, name, "values"))
-        line += fmt::format(" ({})", h5::get_text(group, name, "values"));
+    for (const char* names : {"components", "values"})
+        if (h5::has_attribute(group, name, names))
+            line += fmt::format(" ({})", h5::get_text(group, name, names));
     return line + "\n";
 }
 

@@ -149,6 +149,7 @@ void RunFile::commit() {
     copy_frames(path(), frames, record_.frames);
     for (std::size_t k = 0; k < pending_.size(); ++k)
         write_frame(frames.create(frame_name(record_.frames + k)), pending_[k]);
+    write_point_ids(file.root());
     file.close();
     target.commit();
     record_.frames += pending_.size();

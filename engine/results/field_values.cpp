@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "graph/screening/modes.hpp"
 #include "mpm/kinematics.hpp"
 
 namespace sandgraph::results {
@@ -34,6 +35,12 @@ const io::Field* find(const io::Frame& frame, const std::string& name) {
     const auto same = [&](const io::Field& f) { return f.name == name; };
     const auto it = std::find_if(frame.fields.begin(), frame.fields.end(), same);
     return it == frame.fields.end() ? nullptr : &*it;
+}
+
+std::vector<std::string> mode_words() {
+    std::vector<std::string> words(graph::mode_names.begin(), graph::mode_names.end());
+    for (std::string& word : words) std::ranges::replace(word, '_', ' ');
+    return words;
 }
 
 }  // namespace
@@ -67,11 +74,7 @@ PointValues point_values(const io::Frame& frame, Quantity quantity) {
             return {"rotation θ, anticlockwise +", "deg", true,
                     from_gradient(frame, [](const Mat2& F) { return degrees(mpm::rotation(F)); })};
         case Quantity::mode:
-            return {"constitutive mode",
-                    "-",
-                    false,
-                    field(frame, "mode", 1).values,
-                    {"surrogate", "replay", "shadow", "blending", "grains", "critical state"}};
+            return {"constitutive mode", "-", false, field(frame, "mode", 1).values, mode_words()};
         case Quantity::porosity:
             break;
     }

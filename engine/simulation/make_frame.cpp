@@ -1,5 +1,6 @@
 #include "simulation/make_frame.hpp"
 
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -7,18 +8,22 @@
 #include <map>
 
 #include "dem/rve.hpp"
+#include "graph/screening/modes.hpp"
 
 namespace sandgraph::simulation {
 namespace {
 
 template <class Value>
-io::Field field(const char* name, const char* unit, int components, std::size_t points, Value value) {
-    io::Field out{name, unit, components, {}};
+io::Field field(const char* name, const char* unit, int components, std::size_t points, Value value,
+                const char* component_names = "") {
+    io::Field out{name, unit, components, {}, component_names};
     out.values.reserve(points * static_cast<std::size_t>(components));
     for (std::size_t p = 0; p < points; ++p)
         for (const double v : value(p)) out.values.push_back(v);
     return out;
 }
+
+constexpr const char* kSymmetric = "xx yy xy";
 
 using One = std::array<double, 1>;
 using Two = std::array<double, 2>;
@@ -49,9 +54,12 @@ void add_grain_fields(const stress::Law& law, const dem::Material& material, std
         return One{double(law.observe(p).packing->owns_packing())};
     }));
     const std::vector<dem::Observables> seen = observe_all(law, material, n);
-    frame.fields.push_back(field("fabric", "-", 3, n, [&](std::size_t p) {
-        return Three{seen[p].fabric(0, 0), seen[p].fabric(1, 1), seen[p].fabric(0, 1)};
-    }));
+    frame.fields.push_back(field(
+        "fabric", "-", 3, n,
+        [&](std::size_t p) {
+            return Three{seen[p].fabric(0, 0), seen[p].fabric(1, 1), seen[p].fabric(0, 1)};
+        },
+        kSymmetric));
     frame.fields.push_back(
         field("fabric anisotropy", "-", 1, n, [&](std::size_t p) { return One{seen[p].anisotropy}; }));
     frame.fields.push_back(
@@ -61,6 +69,7 @@ void add_grain_fields(const stress::Law& law, const dem::Material& material, std
 void add_screening_fields(const stress::Law& law, std::size_t n, io::Frame& frame) {
     frame.fields.push_back(
         field("mode", "-", 1, n, [&](std::size_t p) { return One{double(law.observe(p).mode)}; }));
+    frame.fields.back().codes = fmt::format("{}", fmt::join(graph::mode_names, " "));
     frame.fields.push_back(
         field("audited error", "-", 1, n, [&](std::size_t p) { return One{law.observe(p).audited_error}; }));
 }
@@ -86,15 +95,30 @@ io::Frame make_frame(const Simulation& simulation, const std::vector<Vec2>& star
     const std::size_t n = g.size();
     const Vec2 plate = anchor_centre(s);
     io::Frame frame{simulation.time(), simulation.d_over_B(), plate.x(), plate.y(), g.x, g.y, {}};
-    frame.fields.push_back(field("displacement", "m", 2, n, [&](std::size_t p) {
-        return Two{g.x[p] - start[p].x(), g.y[p] - start[p].y()};
-    }));
-    frame.fields.push_back(field("F", "-", 4, n, [&](std::size_t p) {
-        return Four{g.F[p](0, 0), g.F[p](0, 1), g.F[p](1, 0), g.F[p](1, 1)};
-    }));
-    frame.fields.push_back(field("stress", "Pa", 3, n, [&](std::size_t p) {
-        return Three{-g.stress[p].xx, -g.stress[p].yy, -g.stress[p].xy};
-    }));
+    frame.fields.push_back(field(
+        "displacement", "m", 2, n,
+        [&](std::size_t p) {
+            return Two{g.x[p] - start[p].x(), g.y[p] - start[p].y()};
+        },
+        io::plane_vector));
+    frame.fields.push_back(field(
+        "velocity", "m/s", 2, n,
+        [&](std::size_t p) {
+            return Two{g.vx[p], g.vy[p]};
+        },
+        io::plane_vector));
+    frame.fields.push_back(field(
+        "F", "-", 4, n,
+        [&](std::size_t p) {
+            return Four{g.F[p](0, 0), g.F[p](0, 1), g.F[p](1, 0), g.F[p](1, 1)};
+        },
+        "xx xy yx yy"));
+    frame.fields.push_back(field(
+        "stress", "Pa", 3, n,
+        [&](std::size_t p) {
+            return Three{-g.stress[p].xx, -g.stress[p].yy, -g.stress[p].xy};
+        },
+        kSymmetric));
     frame.fields.push_back(
         field("p", "Pa", 1, n, [&](std::size_t p) { return One{mean_stress(g.stress[p])}; }));
     frame.fields.push_back(field("q", "Pa", 1, n, [&](std::size_t p) { return One{deviator(g.stress[p])}; }));

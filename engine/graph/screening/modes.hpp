@@ -20,6 +20,9 @@ enum class PointMode : std::uint8_t {
     critical_state,  // the surrogate again, in critical-state shear; it has followed the grains
 };
 inline constexpr std::size_t mode_count = 6;
+// As files name them, in the order of their codes.
+inline constexpr std::array<const char*, mode_count> mode_names{"surrogate", "replay", "shadow",
+                                                                "blending",  "grains", "critical_state"};
 
 enum class ModeEvent : std::uint8_t {
     near_gate,      // a measure passes the low threshold, or a neighbour passes the gate

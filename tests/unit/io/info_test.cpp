@@ -24,10 +24,18 @@ TEST(Info, ShowsGroupsShapesUnitsAndAttributesOfARun) {
     RunFile run =
         RunFile::create(folder.path(), {"[domain]\nwidth = \"6 m\"\n", "cafe", "0.1", "git1", "full", 2});
     run.append(LoadRow{});
-    run.append(Frame{0, 0, 0, 1, {0, 1}, {2, 3}, {{"displacement", "m", 2, {1, 2, 3, 4}}}});
+    run.append(
+        Frame{0,
+              0,
+              0,
+              1,
+              {0, 1},
+              {2, 3},
+              {{"displacement", "m", 2, {1, 2, 3, 4}}, {"mode", "-", 1, {0, 1}, "", "surrogate replay"}}});
     const std::string text = info(folder / "run.h5");
-    expect_in(text, {"content = \"run\"", "schema = 1", "load/", "[N/m]", "frames/", "0000/",
-                     "float64 (2 x 2) [m]", "hash = \"cafe\"", "threads = 2", "text = \"[domain]...\""});
+    expect_in(text,
+              {"content = \"run\"", "schema = 1", "load/", "[N/m]", "frames/", "0000/", "float64 (2 x 2) [m]",
+               "[-] (surrogate replay)", "hash = \"cafe\"", "threads = 2", "text = \"[domain]...\""});
 }
 
 TEST(Info, ShowsAPackingAndChecksACheckpoint) {

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -65,6 +66,20 @@ void expect_same_outputs(const fs::path& a, const fs::path& b) {
         EXPECT_EQ(fa.x, fb.x);
         EXPECT_EQ(fa.fields.at(0).values, fb.fields.at(0).values);
     }
+}
+
+// Through every rewriting of the file.
+TEST(RunFile, KeepsTheNamesOfComponentsAndCodes) {
+    const Scratch folder;
+    RunFile run = RunFile::create(folder.path(), info);
+    Frame named = frame(1);
+    named.fields = {{"stress", "Pa", 3, std::vector<double>(900, 1), "xx yy xy"},
+                    {"mode", "-", 1, std::vector<double>(300, 1), "", "surrogate replay"}};
+    run.append(named);
+    run.commit();
+    const Frame read = read_run_frame(folder / "run.h5", 0);
+    EXPECT_EQ(std::ranges::find(read.fields, "stress", &Field::name)->component_names, "xx yy xy");
+    EXPECT_EQ(std::ranges::find(read.fields, "mode", &Field::name)->codes, "surrogate replay");
 }
 
 TEST(RunFile, KeepsTheRowsOfRegions) {
