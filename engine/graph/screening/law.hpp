@@ -59,6 +59,8 @@ class ScreeningLaw : public stress::Law {
     std::size_t size() const { return modes_.size(); }
 
   private:
+    friend struct ScreeningStages;  // tests call the stages of hand_over one by one
+
     enum class Task : std::uint8_t { answer, follow, replay, audit };
     struct Job {
         std::int32_t point;
