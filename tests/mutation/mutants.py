@@ -11,16 +11,17 @@ A table says where and which tests are to notice, cheapest first:
 `at` stands once in the file and may be left out where `old` does, `old` stands once in `at`. `equivalent` says why
 nobody can notice. A mutant's name is a hash of these words: it stays when others come and go.
 """
+import dataclasses
 import pathlib
+import sys
 import tomllib
 import zlib
-from dataclasses import dataclass
 
 here = pathlib.Path(__file__).resolve().parent
 top = here.parent.parent
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Mutant:
     room: str
     file: str  # below the top of the source tree
@@ -120,10 +121,19 @@ def by_file(mutants):
     return files
 
 
+def named(mutants, texts, quick=False):
+    """Those to be run: of any of the rooms, or with any of the texts in name, file or fragment; all without a text.
+    `quick`: with the first of their tests alone."""
+    for m in mutants:
+        if not m.equivalent and (not texts or any(t == m.room or t in str(m) for t in texts)):
+            yield dataclasses.replace(m, tests=m.tests[:1]) if quick else m
+
+
 def targets(mutants):
     """The test programs as CMake knows them."""
     return sorted({"test_" + test.split(":")[0].replace("/", "_") for m in mutants for test in m.tests})
 
 
 if __name__ == "__main__":
-    print(*targets(read_all()))
+    words = sys.argv[1:]
+    print(*targets(named(read_all(), [w for w in words if not w.startswith("--")], "--quick" in words)))

@@ -1,6 +1,6 @@
-"""run_mutants.py TREE RESULTS [--again] [--jobs N] [TEXT...]: runs the tests of each mutant, cheapest first, until one
+"""run_mutants.py TREE RESULTS [--again] [--quick] [--jobs N] [TEXT...]: runs the tests of each mutant, cheapest first, until one
 fails; writes a row a mutant to RESULTS and prints the table by room. Mutants with a row are left out; --again takes
-those that survived once more. TEXT: only mutants whose name, file or fragment holds it."""
+those that survived once more, --quick only the first tests of each. TEXT: only mutants whose name, file or fragment holds it."""
 import argparse
 import concurrent.futures
 import csv
@@ -21,6 +21,7 @@ def arguments():
     parser.add_argument("tree", type=pathlib.Path)
     parser.add_argument("results", type=pathlib.Path)
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--quick", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("text", nargs="*")
     return parser.parse_args()
@@ -117,9 +118,8 @@ def main():
     everything = mutants.read_all()
     known = {m.name for m in everything}
     rows = {name: row for name, row in read_results(args.results).items() if name in known}
-    wanted = [m for m in everything if not m.equivalent and
-              (m.name not in rows or args.again and rows[m.name]["outcome"] == "survived") and
-              (not args.text or any(t in str(m) or t == m.room for t in args.text))]
+    wanted = [m for m in mutants.named(everything, args.text, args.quick)
+              if m.name not in rows or args.again and rows[m.name]["outcome"] == "survived"]
     taken = baseline(args.tree, {test for m in wanted for test in m.tests})
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         for done in concurrent.futures.as_completed(pool.submit(judge, args.tree, m, taken) for m in wanted):
@@ -129,7 +129,6 @@ def main():
             print(f"{row['outcome']:<8} {row['name']} {row['file']}: {row['old']} -> {row['new']}  ({row['by']})",
                   flush=True)
     table(everything, rows)
-    sys.exit(0)
 
 
 if __name__ == "__main__":
