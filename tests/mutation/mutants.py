@@ -124,8 +124,10 @@ def by_file(mutants):
 def named(mutants, texts, quick=False):
     """Those to be run: of any of the rooms, or with any of the texts in name, file or fragment; all without a text.
     `quick`: with the first of their tests alone."""
+    mutants = list(mutants)
+    rooms = {m.room for m in mutants}
     for m in mutants:
-        if not m.equivalent and (not texts or any(t == m.room or t in str(m) for t in texts)):
+        if not m.equivalent and (not texts or any(t == m.room if t in rooms else t in str(m) for t in texts)):
             yield dataclasses.replace(m, tests=m.tests[:1]) if quick else m
 
 

@@ -24,7 +24,7 @@ def arguments():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("text", nargs="*")
-    return parser.parse_args()
+    return parser.parse_intermixed_args()
 
 
 def program(tree, test):
@@ -60,6 +60,8 @@ def baseline(tree, tests):
     """Seconds of each test program without a mutant; all must pass."""
     taken = {}
     for test in sorted(tests):
+        if not program(tree, test).exists():
+            sys.exit(f"error: {program(tree, test)} is not built; leave out --no-build")
         begin = time.monotonic()
         code, output = run(tree, test, None, 1200)
         if code != 0:

@@ -74,6 +74,13 @@ struct ScreeningStages {
         law.asked_ = {point}, law.answers_ = {answer};
         law.settle_answers(batch());
     }
+    // The points of the jobs that `route` plans, in the order in which they are begun.
+    std::vector<std::int32_t> planned() {
+        law.route(batch());
+        std::vector<std::int32_t> out;
+        for (const ScreeningLaw::Job& job : law.jobs_) out.push_back(job.point);
+        return out;
+    }
     const Verdict& verdict() const { return law.verdicts_.front(); }
     stress::ScreeningLog& log() { return law.log_; }
     const RveCounters& counters() const { return law.counters_; }
