@@ -33,6 +33,7 @@ void remove_stale(const fs::path& folder) {
     remove_restart_files(folder);
     if (!fs::exists(folder / "run.h5")) return;  // pictures and packings of somebody else
     remove_kind(folder / "packings", ".h5"), remove_kind(folder / "pictures", ".png");
+    remove_kind(folder / "pictures", ".svg"), remove_kind(folder / "pictures", ".pdf");
     for (const char* name : kBesideRun) fs::remove(folder / name);
     fs::remove(folder / "run.h5");  // last: it tells whose the others are
     remove_temporaries(folder / "run.h5");

@@ -83,7 +83,7 @@ std::vector<BiaxialPoint> mean_test(const BiaxialSeries& series) {
 
 Plot biaxial_plot(const BiaxialPicture& picture) {
     Plot plot;
-    plot.height = 1000;
+    plot.width = 1000, plot.height = 1000;
     for (std::size_t k = 0; k < picture.series.size(); ++k) {
         plot.data.emplace_back(fmt::format("tests{}.txt", k), single_tests(picture.series[k]));
         plot.data.emplace_back(fmt::format("mean{}.txt", k), mean_rows(picture.series[k]));

@@ -52,12 +52,15 @@ std::string formula_name(const BreakoutSeries& s) {
 Plot breakout_plot(const std::vector<BreakoutSeries>& series) {
     const double deep = 1.1 * deepest(series);
     Plot plot;
-    plot.width = 1500;
+    plot.width = 900;
+    std::size_t keys = 0;
+    for (const BreakoutSeries& s : series) keys += s.friction_angle > 0 ? 2 : 1;
+    const std::string key = key_below(plot, keys);
     plot.script = fmt::format(
         "set xlabel 'embedment H/B'\nset ylabel 'breakout factor N_γ = Q_u/(BγH)'\nset xrange [0:{}]\nset "
         "yrange [0:*]\n"
-        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset key outside right top noenhanced\n",
-        deep);
+        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n{}",
+        deep, key);
     std::string items;
     const auto add = [&](const std::string& item) {
         items += (items.empty() ? "plot " : ", \\\n     ") + item;

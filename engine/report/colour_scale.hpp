@@ -6,22 +6,35 @@
 
 namespace sandgraph::report {
 
+// What the values of a field are. Magnitudes start from zero, which is pale: where nothing has moved nothing
+// is painted. Signed ones lie about a pale zero. Levels start anywhere.
+enum class ValueKind { magnitude, signed_value, level };
+
 // The range of colours. The outermost 0.15 % of the points may lie beyond it: one runaway point must not
 // bleach the picture.
 struct ColourRange {
     double low = 0, high = 1;
-    bool clipped_low = false, clipped_high = false;
+    bool operator==(const ColourRange&) const = default;
 };
 
-// Signed values: symmetric about zero. Others: from zero if `from_zero`, else from their own lower end; ends
-// on round numbers. NaNs are left out.
-ColourRange colour_range(std::vector<double> values, bool is_signed, bool from_zero);
+// Magnitudes: from zero. Signed values: symmetric about zero. Levels: from their own lower end. Ends on round
+// numbers, at least `least` > 0 apart (a signed one: from zero), so that noise at rest is no pattern. NaNs
+// are left out.
+ColourRange colour_range(std::vector<double> values, ValueKind kind, double least);
+
+// One for several frames of a field.
+ColourRange joined(const ColourRange& a, const ColourRange& b);
+
+// ", some points above" or the like where values lie beyond the range; else empty.
+std::string beyond(const ColourRange& range, const std::vector<double>& values);
 
 // 1, 2 or 5 times a power of ten that divides a width > 0 into about `parts`.
 double round_step(double width, double parts);
 
-// gnuplot commands: viridis (perceptually uniform) or, for signed values, cool-warm (Moreland 2009).
-std::string palette(bool is_signed);
+// gnuplot commands. Magnitudes: magma backwards, from pale to purple, without its darkest end, on which a
+// black plate would be lost. Signed values: cool-warm (Moreland 2009). Levels: viridis. All are even in
+// perceived lightness.
+std::string palette(ValueKind kind);
 
 // Of the k-th kind of a list, told apart by lightness and hue; repeats after the sixth.
 const char* kind_colour(std::size_t k);

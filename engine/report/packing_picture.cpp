@@ -173,7 +173,7 @@ Plot packing_plot(const PackingPicture& picture) {
     double largest = 1.5;
     if (!empty)
         for (const double share : rose(contacts)) largest = std::max(largest, share);
-    plot.script = fmt::format("set multiplot title {} noenhanced\n", literal(picture.title)) +
+    plot.script = fmt::format("set multiplot title {} noenhanced\n", wrapped(picture.title, plot.width)) +
                   network_script(picture, contacts, middle) + rose_script(fabric_of(contacts), largest) +
                   "unset multiplot\n";
     return plot;

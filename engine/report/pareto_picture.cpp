@@ -42,7 +42,7 @@ Plot pareto_plot(const ParetoPicture& picture) {
         "title 'audit, 95 % interval', "
         "'' using 1:6 with points pt 2 ps 1.8 lw 2 lc rgb '#000000' title 'all points looked at', "
         "'' using 1:4:7 with labels offset 0,1.1 font ',9' noenhanced notitle\nunset multiplot\n",
-        literal(picture.title));
+        wrapped(picture.title, plot.width));
     return plot;
 }
 

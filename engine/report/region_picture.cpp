@@ -78,7 +78,7 @@ Plot region_plot(const RegionPicture& picture) {
     plot.script = fmt::format(
         "set multiplot layout 2,3 title {} noenhanced\nset grid lt 1 lw 0.6 lc rgb '#e4e4e4'\nset xlabel "
         "'{}'\nset xrange [0:*]\n",
-        literal(picture.title + ": regions, mean and range"),
+        wrapped(picture.title + ": regions, mean and range", plot.width),
         picture.by_time ? "time [s]" : "displacement d/B");
     for (std::size_t k = 0; k < std::size(panels); ++k) plot.script += panel_script(picture, k, plot);
     plot.script += "unset multiplot\n";

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -28,21 +29,69 @@ std::string text(double value, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
 }
 
-// H/B; under a surcharge that of the same overburden.
-report::Row row_of(const results::FinishedRun& run) {
-    const io::Summary& s = run.summary;
-    const double formula = results::pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
-    // The largest load of a curve that still rises tells nothing of the formula.
-    const double difference = results::broke_out(s) ? 100 * (s.n_gamma / formula - 1) : std::nan("");
-    return {run.folder.string(),
-            series_of(run),
-            text(results::embedment_of(run), 3),
-            text(s.n_gamma, 3) + (results::broke_out(s) ? "" : " (still rising)"),
-            text(formula, 3),
-            std::isfinite(difference) ? fmt::format("{:+.1f} %", difference) : "-",
-            text(s.breakout_d_over_B, 2),
-            text(s.late_load / 1000, 3),
-            text(s.wall_s, 3)};
+std::string decimal(double value, int decimals) {
+    return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
+struct Column {
+    const char* name;
+    std::string (*cell)(const results::FinishedRun& run);
+    bool of_screening = false;  // only where there is a screening run
+};
+
+double formula_of(const results::FinishedRun& run) {
+    return results::pulled_up(run.scene) ? run.summary.n_gamma_meyerhof_adams : run.summary.n_gamma_biarez;
+}
+
+// The largest load of a curve that still rises tells nothing of the formula.
+std::string difference(const results::FinishedRun& run) {
+    const double share = run.summary.n_gamma / formula_of(run) - 1;
+    return results::broke_out(run.summary) && std::isfinite(share) ? fmt::format("{:+.1f} %", 100 * share)
+                                                                   : "-";
+}
+
+std::string friction(const results::FinishedRun& run) {
+    const double interval = run.summary.number("friction_angle_ci95_deg");
+    return decimal(run.summary.number("friction_angle_deg"), 1) +
+           (interval > 0 ? fmt::format(" ± {:.1f}", interval) : "");
+}
+
+std::string still_rising(const results::FinishedRun& run) {
+    return results::broke_out(run.summary) ? "" : " (still rising)";
+}
+
+using Run = results::FinishedRun;
+
+// H/B: under a surcharge that of the same overburden.
+constexpr Column kColumns[] = {
+    {"run", [](const Run& r) { return r.folder.string(); }},
+    {"anchor, sand", [](const Run& r) { return series_of(r); }},
+    {"H/B", [](const Run& r) { return text(results::embedment_of(r), 3); }},
+    {"γ [kN/m3]", [](const Run& r) { return decimal(results::unit_weight(r) / 1000, 1); }},
+    {"φ [deg]", friction},
+    {"breakout load [kN/m]",
+     [](const Run& r) { return decimal(r.summary.breakout_load / 1000, 1) + still_rising(r); }},
+    {"N_gamma", [](const Run& r) { return decimal(r.summary.n_gamma, 2) + still_rising(r); }},
+    {"at d/B", [](const Run& r) { return decimal(r.summary.breakout_d_over_B, 3); }},
+    {"formula", [](const Run& r) { return decimal(formula_of(r), 2); }},
+    {"difference", difference},
+    {"late load [kN/m]", [](const Run& r) { return decimal(r.summary.late_load / 1000, 1); }},
+    {"gate", [](const Run& r) { return gate_text(r.scene); }, true},
+    {"audit, share of p", [](const Run& r) { return audit_text(r.summary); }, true},
+    {"wall time [s]", [](const Run& r) { return text(r.summary.wall_s, 3); }}};
+
+std::string table_of(const std::vector<results::FinishedRun>& runs) {
+    const bool screening =
+        std::ranges::any_of(runs, [](const Run& run) { return run.summary.mode == "screening"; });
+    std::vector<report::Row> rows(1 + runs.size());
+    std::vector<std::string> links{""};
+    for (const Run& run : runs) links.push_back(link_to(run.folder.string()));
+    for (const Column& column : kColumns) {
+        if (column.of_screening && !screening) continue;
+        rows[0].emplace_back(column.name);
+        for (std::size_t k = 0; k < runs.size(); ++k) rows[k + 1].push_back(column.cell(runs[k]));
+    }
+    return report::table(rows, true, links);
 }
 
 double mean(const std::vector<double>& values) {
@@ -103,12 +152,21 @@ std::string breakout_figure(const std::vector<results::FinishedRun>& runs, const
 
 }  // namespace
 
+std::string gate_text(const scene::Scene& scene) {
+    if (scene.mode != scene::Mode::screening) return "-";
+    const graph::GateSettings& gate = scene.screening.gate;
+    return gate.active ? fmt::format("strain {:g}, flow {:g}", gate.strain, gate.flow) : "off";
+}
+
+std::string audit_text(const io::Summary& s) {
+    if (s.audit.points == 0 || !std::isfinite(s.audit.stress_error_mean)) return "-";
+    return fmt::format("{:.1f} %", 100 * s.audit.stress_error_mean) +
+           (std::isfinite(s.audit.ci95) ? fmt::format(" ± {:.1f} %", 100 * s.audit.ci95) : "");
+}
+
 std::string comparison_chapter(const std::vector<results::FinishedRun>& runs, const fs::path& pictures) {
-    std::vector<report::Row> rows = {{"run", "anchor, sand", "H/B", "N_gamma", "formula", "difference",
-                                      "at d/B", "late load [kN/m]", "wall time [s]"}};
-    for (const results::FinishedRun& run : runs) rows.push_back(row_of(run));
     fs::create_directories(pictures);
-    return report::table(rows) + load_figure(runs, true, pictures / "loads_horizontal.png") +
+    return table_of(runs) + load_figure(runs, true, pictures / "loads_horizontal.png") +
            load_figure(runs, false, pictures / "loads_vertical.png") +
            breakout_figure(runs, pictures / "breakout.png");
 }

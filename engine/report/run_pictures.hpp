@@ -12,6 +12,9 @@ namespace sandgraph::report {
 std::string draw_pictures(const std::filesystem::path& to, const results::FinishedRun& run,
                           const std::vector<std::size_t>& frames = {});
 
+// Extensions of the files of each picture: ".png", and what the scene asks for beside it.
+std::vector<std::string> picture_formats(const scene::Scene& scene);
+
 LoadCurve load_curve(const results::FinishedRun& run);
 // FIELD_DDDD.png, DDDD: 1000 d/B; and the fields there are.
 std::string picture_name(const std::string& field, double mark);

@@ -115,51 +115,80 @@ std::string number(double value, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "not known";
 }
 
+std::string decimal(double value, int decimals) {
+    return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "not known";
+}
+
 std::string share(double value) {
     return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : "not known";
+}
+
+// With the interval of the mean where it is one of several packings.
+std::string friction_text(const io::Summary& s) {
+    std::string text = decimal(s.number("friction_angle_deg"), 1);
+    if (const double interval = s.number("friction_angle_ci95_deg"); interval > 0)
+        text += fmt::format(" ± {:.1f}", interval);
+    if (const double packings = s.number("friction_packings"); packings > 0)
+        text += fmt::format(" ({:.0f} packing{})", packings, packings == 1 ? "" : "s");
+    return text;
 }
 
 std::vector<Row> result_rows(const results::FinishedRun& run) {
     if (!run.scene.anchor.present) return {};
     const io::Summary& s = run.summary;
-    const double formula = results::pulled_up(run.scene) ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
+    const bool up = results::pulled_up(run.scene), out = results::broke_out(s);
+    const double formula = up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
     return {
         {"result", ""},
-        {results::broke_out(s) ? "breakout factor N_gamma" : "largest N_gamma so far, the load still rises",
-         number(s.n_gamma, 3)},
-        {results::pulled_up(run.scene) ? "Meyerhof & Adams (1968)" : "Biarez et al. (1965)",
-         number(formula, 3)},
-        {"friction angle of the packing [deg]", number(run.summary.number("friction_angle_deg"), 3)},
-        {"breakout load Q_u [kN/m]", number(s.breakout_load / 1000, 4)},
-        {"at d/B", number(s.breakout_d_over_B, 3)},
-        {"late load [kN/m]", number(s.late_load / 1000, 4)},
+        {out ? "breakout load Q_u [kN/m]" : "largest load so far, it still rises [kN/m]",
+         decimal(s.breakout_load / 1000, 1)},
+        {out ? "breakout factor N_gamma" : "largest N_gamma so far", decimal(s.n_gamma, 2)},
+        {"at d/B", decimal(s.breakout_d_over_B, 3)},
+        {up ? "N_gamma of Meyerhof & Adams (1968)" : "N_gamma of Biarez et al. (1965)", decimal(formula, 2)},
+        {"embedment H/B", number(results::embedment_of(run), 3)},
+        {"unit weight γ [kN/m3]", decimal(results::unit_weight(run) / 1000, 1)},
+        {"friction angle φ [deg]", friction_text(s)},
+        {"late load [kN/m]", decimal(s.late_load / 1000, 1)},
         {"kinetic energy / plate work, at most", number(s.kinetic_to_strain_energy_max, 2)}};
 }
 
 std::vector<Row> cost_rows(const results::FinishedRun& run) {
     const io::Summary& s = run.summary;
-    std::vector<Row> rows = {{"cost", ""},
-                             {"mode", s.mode},
-                             {"wall time [s]", number(s.wall_s, 4)},
-                             {"threads", fmt::format("{}", s.threads)},
-                             {"material points", fmt::format("{}", s.points)},
-                             {"MPM steps", fmt::format("{}", s.steps)},
-                             {"DEM steps", number(double(s.dem_steps), 3)},
-                             {"RVE updates", number(double(s.rve_updates), 3)}};
-    for (const auto& [phase, seconds] : run.record.timing)
-        rows.push_back({"  " + phase + " [s]", number(seconds, 3)});
-    return rows;
+    return {{"cost", ""},
+            {"mode", s.mode},
+            {"wall time [s]", number(s.wall_s, 4)},
+            {"threads", fmt::format("{}", s.threads)},
+            {"material points", fmt::format("{}", s.points)},
+            {"MPM steps", fmt::format("{}", s.steps)},
+            {"DEM steps", number(double(s.dem_steps), 3)},
+            {"RVE updates", number(double(s.rve_updates), 3)}};
+}
+
+std::string phase_times(const results::FinishedRun& run) {
+    std::vector<Row> rows = {{"phase", "wall time [s]"}};
+    for (const auto& [phase, seconds] : run.record.timing) rows.push_back({phase, number(seconds, 3)});
+    return rows.size() < 2 ? "" : report::details("Time by phase", report::table(rows));
+}
+
+std::string switch_reasons(const io::Summary& s) {
+    constexpr std::string_view prefix = "switches ";
+    std::string text;
+    for (const auto& [name, count] : s.extra)
+        if (name.starts_with(prefix) && count > 0)
+            text += fmt::format("{}{} {:.0f}", text.empty() ? "" : ", ", name.substr(prefix.size()), count);
+    return text.empty() ? "none" : text;
 }
 
 std::vector<Row> screening_rows(const results::FinishedRun& run) {
     const io::Summary& s = run.summary;
-    return {{"surrogate", ""},
-            {"surrogate updates", number(double(s.surrogate_updates), 3)},
+    return {{"surrogate, gate and audit", ""},
+            {"gate", gate_text(run.scene)},
+            {"points handed over, by reason", switch_reasons(s)},
             {"points that are grains at the end", share(s.dem_fraction_final)},
             {"mean over the run", share(s.dem_fraction_mean)},
-            {"audited points", fmt::format("{}", s.audit.points)},
-            {"stress error they show, share of p", share(s.audit.stress_error_mean)},
-            {"95 % interval, +-", share(s.audit.ci95)}};
+            {"surrogate updates", number(double(s.surrogate_updates), 3)},
+            {"audit: stress error of the surrogate, share of p", audit_text(s)},
+            {"audited points", fmt::format("{}", s.audit.points)}};
 }
 
 // displacement_0100.png and its like; other pictures of the run have figures of their own.
@@ -173,21 +202,22 @@ bool is_own_picture(const fs::path& file) {
     const std::string stem = file.stem().string(), number = stem.substr(stem.rfind('_') + 1);
     const bool numbered =
         number != stem && number.size() >= 4 && number.find_first_not_of("0123456789") == std::string::npos;
-    return file.extension() == ".png" &&
+    const std::string kind = file.extension().string();
+    return (kind == ".png" || kind == ".svg" || kind == ".pdf") &&
            (numbered || stem == "load" || stem == "regions" || stem == "stress_paths");
 }
 
 // Of many frames those nearest to the breakout and to even steps up to the last.
 std::vector<std::size_t> frames_shown(const results::FinishedRun& run, std::size_t most) {
     const results::GroundView view = results::ground_view(run.scene);
-    std::vector<double> d;
-    for (std::size_t k = 0; k < run.record.frames; ++k)
+    std::vector<double> d;  // from the second frame on: in the first one nothing has moved
+    for (std::size_t k = 1; k < run.record.frames; ++k)
         d.push_back(results::mark_of(io::read_run_frame(run.frame_file(), k), view));
-    if (d.size() <= most) return {};
+    if (d.size() < most) return {};
     std::set<std::size_t> chosen;
     const auto add = [&](double at) {
         const auto nearer = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
-        chosen.insert(static_cast<std::size_t>(std::min_element(d.begin(), d.end(), nearer) - d.begin()));
+        chosen.insert(static_cast<std::size_t>(std::min_element(d.begin(), d.end(), nearer) - d.begin()) + 1);
     };
     add(run.summary.breakout_d_over_B);
     for (std::size_t k = 1; k < most; ++k) add(d.back() * double(k) / double(most - 1));
@@ -206,9 +236,10 @@ void clear_pictures(const fs::path& folder) {
 std::string field_figures(const results::FinishedRun& run, const fs::path& pictures) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(pictures))
-        if (is_field_picture(entry.path().stem().string())) files.push_back(entry.path());
+        if (entry.path().extension() == ".png" && is_field_picture(entry.path().stem().string()))
+            files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    std::string html = "<div class=\"grid\">\n";
+    std::string html = "<div class=\"grid fields\">\n";
     for (const fs::path& file : files) {
         const std::string stem = file.stem().string(), field = stem.substr(0, stem.rfind('_'));
         const double d = std::strtod(stem.substr(stem.rfind('_') + 1).c_str(), nullptr) / 1000;
@@ -225,14 +256,18 @@ std::string run_chapter(const results::FinishedRun& run, const fs::path& picture
                         const ChapterOptions& options) {
     clear_pictures(pictures);
     const std::string told = draw_pictures(pictures, run, frames_shown(run, options.frames_max));
-    std::string html =
-        fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p class=\"lead\">{0}, scene {2}, revision {3}</p>\n",
-                    xml_escaped(run.folder.string()), xml_escaped(results::title_of(run.scene)),
-                    run.summary.scene_hash, run.summary.git);
-    html += "<div class=\"grid\">\n" + report::table(result_rows(run)) + report::table(cost_rows(run));
-    if (run.summary.mode == "screening") html += report::table(screening_rows(run));
-    html += "</div>\n";
-    if (run.scene.anchor.present) html += report::figure(pictures / "load.png", "Load against displacement");
+    std::string html = fmt::format(
+        "<h2 id=\"{0}\">{1}</h2>\n<p class=\"lead\">{0}, {2}, {3} points, {4:.0f} s on {5} threads, scene "
+        "{6}, "
+        "revision {7}</p>\n",
+        xml_escaped(run.folder.string()), xml_escaped(results::title_of(run.scene)), run.summary.mode,
+        run.summary.points, run.summary.wall_s, run.summary.threads, run.summary.scene_hash, run.summary.git);
+    if (run.scene.anchor.present)
+        html += "<div class=\"grid\">\n" + report::table(result_rows(run)) +
+                report::figure(pictures / "load.png", "Load against displacement") + "</div>\n";
+    html += "<div class=\"grid\">\n<div class=\"screen-only\">" + report::table(cost_rows(run)) + "</div>\n" +
+            (run.summary.mode == "screening" ? report::table(screening_rows(run)) : "") + "</div>\n" +
+            phase_times(run);
     html += "<h3>Fields</h3>\n" + field_figures(run, pictures);
     html += cross_scale_chapter(run, pictures, options.critical);
     if (told.starts_with("no pictures")) html += "<p class=\"missing\">" + xml_escaped(told) + "</p>\n";

@@ -20,6 +20,10 @@ struct ChapterOptions {
 std::string run_chapter(const results::FinishedRun& run, const std::filesystem::path& pictures,
                         const ChapterOptions& options);
 
+// What tables say of a screening run's gate and of its audit ("17.8 % ± 3.1 %"); "-" of another run.
+std::string gate_text(const scene::Scene& scene);
+std::string audit_text(const io::Summary& summary);
+
 // By anchor and sand: the runs that broke out, and the mean of the friction angles that are known.
 std::vector<report::BreakoutSeries> breakout_series(const std::vector<results::FinishedRun>& runs);
 

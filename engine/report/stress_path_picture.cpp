@@ -95,7 +95,8 @@ Plot stress_path_plot(const RegionPicture& picture, const std::optional<Critical
         "stress p [kPa]'\nset ylabel 'deviator q [kPa]'\nset key top left noenhanced\nset yrange [0:*]\nset "
         "xrange "
         "[0:*]\nplot {}{}\n",
-        literal(picture.title + ": stress paths of the regions (dot: end)"), paths(picture, 2, true),
+        wrapped(picture.title + ": stress paths of the regions (dot: end)", plot.width),
+        paths(picture, 2, true),
         lines ? critical_item(fmt::format("{} * x", lines->stress_ratio), "critical state") : "");
     plot.script += fmt::format(
         "set ylabel 'void ratio e'\nset yrange [*:*]\nset xrange [0.3:*]\nset logscale x\nset key bottom "

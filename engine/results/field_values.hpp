@@ -13,7 +13,7 @@ enum class Quantity { displacement, equivalent_strain, rotation, porosity, mode 
 
 // One value per material point, ready to be coloured.
 struct PointValues {
-    std::string name;            // e.g. "rotation"
+    std::string name;            // e.g. "rotation", as gnuplot's enhanced text
     std::string unit;            // e.g. "deg"; "-" if none
     bool is_signed = false;      // diverging colours, centred at zero
     std::vector<double> values;  // NaN: not drawn

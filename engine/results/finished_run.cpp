@@ -77,6 +77,10 @@ double embedment_of(const FinishedRun& run) {
     return std::isfinite(equivalent) ? equivalent : run.scene.anchor.embedment_ratio;
 }
 
+double unit_weight(const FinishedRun& run) {
+    return run.summary.number("density_kg_per_m3") * run.scene.ground.gravity;
+}
+
 bool pulled_up(const scene::Scene& scene) {
     return scene.anchor.orientation == scene::Orientation::horizontal;
 }

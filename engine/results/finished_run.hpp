@@ -35,6 +35,9 @@ std::string title_of(const scene::Scene& scene);
 // H/B with the surcharge counted as depth.
 double embedment_of(const FinishedRun& run);
 
+// Of the ground before the pull [N/m3]; NaN where the summary does not tell it.
+double unit_weight(const FinishedRun& run);
+
 bool pulled_up(const scene::Scene& scene);  // horizontal plate
 
 }  // namespace sandgraph::results

@@ -21,6 +21,7 @@ namespace sandgraph::scene {
 enum class Law { rve, elastic, mohr_coulomb };
 enum class Orientation { horizontal, vertical };  // of the plate; pulled along its normal (up / to +x)
 enum class Mode { full, screening };
+enum class PictureFormat { png, svg, pdf };
 
 struct Domain {
     double width = 6;   // [m]; of the half model when the anchor is horizontal (symmetry plane at x = 0)
@@ -75,6 +76,7 @@ struct Mpm : mpm::Scheme {
 struct Output {
     std::string folder;  // default: out/<scene file stem>
     bool pictures = false;
+    PictureFormat picture_format = PictureFormat::png;           // svg, pdf: beside the PNG
     double load_every = 0.0005;                                  // in d/B
     std::vector<double> frames = {0, 0.02, 0.1, 0.2, 0.3, 0.4};  // in d/B
     double checkpoint_every = 120;                               // wall time [s]

@@ -83,6 +83,10 @@ void add_output_keys(KeyTable& keys, Output& o) {
     output.text("folder", o.folder, "empty: out/<name of the scene file>").in_hash = false;
     output.flag("pictures", o.pictures, "PNG pictures of every frame").in_hash = false;
     output
+        .choice("picture_format", o.picture_format, {"png", "svg", "pdf"},
+                "of the pictures: PNG alone, or SVG or PDF beside it")
+        .in_hash = false;
+    output
         .real("load_every", o.load_every, "", at_least(1e-6),
               "d/B between rows of load.csv; without an anchor s")
         .in_hash = false;

@@ -27,6 +27,19 @@ TEST(Html, AMissingPictureIsSaidNotLinked) {
     EXPECT_NE(html.find("no picture: Load"), std::string::npos);
 }
 
+TEST(Html, RowsLeadToTheirChapters) {
+    const std::string html = table({{"run", "N"}, {"my runs/a&b", "2"}}, true, {"", link_to("my runs/a&b")});
+    EXPECT_NE(html.find("<a href=\"#my%20runs/a%26b\">my runs/a&amp;b</a>"), std::string::npos) << html;
+}
+
+// On a phone a wide table becomes a card a row, whose cells tell their column.
+TEST(Html, CellsOfWideTablesNameTheirColumn) {
+    const std::string html = table({{"a", "b", "c", "<d>"}, {"1", "2", "3", "4"}});
+    EXPECT_NE(html.find("class=\"wide numbers\""), std::string::npos);
+    EXPECT_NE(html.find("<td data-label=\"&lt;d&gt;\">4</td>"), std::string::npos) << html;
+    EXPECT_EQ(table({{"a", "b"}, {"1", "2"}}).find("wide"), std::string::npos);
+}
+
 TEST(Html, ThePageLoadsNothingFromElsewhere) {
     const test::Scratch folder;
     test::overwrite(folder / "load.png", "\x89PNG");
