@@ -36,12 +36,9 @@ ColourRange joined(const ColourRange& a, const ColourRange& b) {
 
 std::string beyond(const ColourRange& range, const std::vector<double>& values) {
     const double slack = 1e-9 * (range.high - range.low);
-    const bool below = std::ranges::any_of(values, [&](double v) { return v < range.low - slack; });
-    const bool above = std::ranges::any_of(values, [&](double v) { return v > range.high + slack; });
-    return below && above ? ", some points off the scale"
-           : above        ? ", some points above the scale"
-           : below        ? ", some points below the scale"
-                          : "";
+    const bool some = std::ranges::any_of(
+        values, [&](double v) { return v < range.low - slack || v > range.high + slack; });
+    return some ? ", scale exceeded" : "";
 }
 
 double round_step(double width, double parts) {

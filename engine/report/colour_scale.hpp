@@ -25,7 +25,7 @@ ColourRange colour_range(std::vector<double> values, ValueKind kind, double leas
 // One for several frames of a field.
 ColourRange joined(const ColourRange& a, const ColourRange& b);
 
-// ", some points above" or the like where values lie beyond the range; else empty.
+// ", scale exceeded" where values lie beyond the range; else empty.
 std::string beyond(const ColourRange& range, const std::vector<double>& values);
 
 // 1, 2 or 5 times a power of ten that divides a width > 0 into about `parts`.

@@ -44,8 +44,9 @@ void write(const fs::path& path, const std::string& text) {
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot write");
 }
 
-// Bitmaps have twice the layout's pixels, for print and for sharp screens.
-constexpr int density = 2;
+// Bitmaps have more pixels than the layout, for print and for sharp screens.
+double density(const Plot& plot) { return plot.width > 1000 ? 1.5 : 2; }
+
 constexpr double pixels_per_inch = 96;
 
 std::string terminal(const Plot& plot, const std::string& format) {
@@ -55,10 +56,12 @@ std::string terminal(const Plot& plot, const std::string& format) {
     if (format == ".pdf")
         return fmt::format("pdfcairo size {},{} font 'DejaVu Sans,13' fontscale 1 background 'white'",
                            plot.width / pixels_per_inch, plot.height / pixels_per_inch);
+    const double k = density(plot);
     return fmt::format(
-        "pngcairo size {},{} font 'DejaVu Sans,13' fontscale {} linewidth {} pointscale {} background "
+        "pngcairo size {:.0f},{:.0f} font 'DejaVu Sans,13' fontscale {} linewidth {} pointscale {} "
+        "background "
         "'white'",
-        density * plot.width, density * plot.height, density, density, density);
+        k * plot.width, k * plot.height, k, k, k);
 }
 
 // What a user may have set: GNUTERM of a terminal that is not there ends gnuplot before our first line.

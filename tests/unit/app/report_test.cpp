@@ -31,8 +31,10 @@ TEST(Report, SetsAllRunsOfAFolderSideBySideInOnePage) {
     const auto outcome = shell.run("report runs -o page");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string html = shell.read("page/index.html");
-    for (const char* text : {"runs/a", "runs/b", "Plate &amp; &lt;sand&gt;", "N_gamma", "embedment_ratio",
-                             "data:image/png;base64,iVBOR"})
+    for (const char* text :
+         {"runs/a", "runs/b", "Plate &amp; &lt;sand&gt;", "N_gamma", "embedment_ratio",
+          "data:image/png;base64,iVBOR", "<a href=\"#runs/a\">", "<h2 id=\"runs/a\">", "γ [kN/m3]", "φ [deg]",
+          "breakout load [kN/m]", "unit weight γ [kN/m3]</td><td data-label=\"\">21.6<"})
         EXPECT_NE(html.find(text), std::string::npos) << text;
     EXPECT_EQ(html.find("no picture"), std::string::npos);
     // Elastic ground never breaks out, and no formula is known for it.
@@ -60,15 +62,29 @@ TEST(Report, FolderIsOneRunHoweverItIsWritten) {
     EXPECT_TRUE(shell.exists("page/pictures/00_h2.5/load.png"));
 }
 
+// Also of a finished run whose scene asks for them.
+TEST(Report, LeavesVectorPicturesBesideTheOthersIfTheSceneAsksForThem) {
+    const Shell shell("formats");
+    shell.write("scene.toml", kScene);
+    const auto run = shell.run("run scene.toml -o a --set output.picture_format=svg");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    ASSERT_EQ(shell.run("report a -o page").exit_code, 0);
+    for (const char* name : {"load.png", "load.svg", "strain_0020.png", "strain_0020.svg"})
+        EXPECT_TRUE(shell.exists(std::string("page/pictures/00_a/") + name)) << name;
+    EXPECT_EQ(shell.read("page/index.html").find("no picture"), std::string::npos);
+}
+
 TEST(Report, ShowsNoPictureOfAnOlderReport) {
     const Shell shell("older");
     make_run(shell, "a");
     const std::string pictures = "page/pictures/00_a/";
     std::filesystem::create_directories(shell.path(pictures));
-    for (const char* name : {"strain_0500.png", "mine.png"}) shell.write(pictures + name, "older");
+    for (const char* name : {"strain_0500.png", "strain_0500.svg", "mine.png"})
+        shell.write(pictures + name, "older");
     ASSERT_EQ(shell.run("report a -o page").exit_code, 0);
     EXPECT_EQ(shell.read("page/index.html").find("d/B = 0.5"), std::string::npos);
     EXPECT_FALSE(shell.exists(pictures + "strain_0500.png"));
+    EXPECT_FALSE(shell.exists(pictures + "strain_0500.svg"));
     EXPECT_TRUE(shell.exists(pictures + "strain_0020.png"));
     EXPECT_TRUE(shell.exists(pictures + "mine.png"));
 }

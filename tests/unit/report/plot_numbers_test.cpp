@@ -56,13 +56,11 @@ TEST(LoadPlot, ShowsEveryPointOfFewCurvesInUnitsOfTheOverburden) {
     }
 }
 
-TEST(LoadPlot, ShowsMeansOverFourThousandthsOfManyCurves) {
+TEST(LoadPlot, ShowsEveryPointOfManyCurves) {
     const Table rows =
         numbers(file(load_plot({"t", {curve(), curve(2), curve(3), curve(4)}, {}}), "curve1.txt"));
-    ASSERT_EQ(rows.size(), 11u);
-    EXPECT_NEAR(rows[0][0], 0.00195, 1e-9);
-    EXPECT_NEAR(rows[0][1], 2 * 0.075 * 1.5, 1e-9);
-    EXPECT_NEAR(rows[3][1], 2 * 0.075 * 13.5, 1e-9);
+    ASSERT_EQ(rows.size(), 41u);
+    EXPECT_NEAR(rows[13][1], 2 * 0.075 * 13, 1e-9);
 }
 
 TEST(LoadPlot, TellsTheBreakoutFactorOrThatTheLoadStillRises) {
@@ -81,9 +79,18 @@ TEST(LoadPlot, TheRightAxisCountsInKilonewtons) {
 TEST(LoadPlot, WordsStandClearOfALineThatWouldRunThroughThem) {
     LoadPicture picture{"t", {curve()}, {{"formula", 3.2}}};
     picture.curves[0].breakout.d_over_B = 0.01;
-    EXPECT_TRUE(says(load_plot(picture), "at 0.01,3.2 left"));
-    picture.references[0].n_gamma = 3.4;
-    EXPECT_TRUE(says(load_plot(picture), "at 0.01,3 left"));
+    EXPECT_TRUE(says(load_plot(picture), "at 0.01,3 left offset 1,-1.4"));  // below it
+    picture.references[0].n_gamma = 3.6;
+    EXPECT_TRUE(says(load_plot(picture), "at 0.01,3 left offset 1,1 "));
+}
+
+// Late words stand left of their dot, and those of a small load above it, clear of the axis.
+TEST(LoadPlot, WordsStayInsideTheAxes) {
+    LoadPicture picture{"t", {curve()}, {}};
+    picture.curves[0].breakout.d_over_B = 0.05;
+    EXPECT_TRUE(says(load_plot(picture), "at 0.05,3 right offset -1,-1.4"));
+    picture.references = {{"formula", 40}};
+    EXPECT_TRUE(says(load_plot(picture), "at 0.05,3 right offset -1,1 "));
 }
 
 TEST(BreakoutPlot, TheFormulaRunsFromOneWidthToBeyondTheDeepestPlate) {
@@ -103,7 +110,7 @@ TEST(ColourScale, StepsAreOneTwoOrFiveOfAPower) {
 }
 
 TEST(ColourScale, SignedRangesFollowTheLargerSide) {
-    const ColourRange range = colour_range({-8, 0, 3}, true, false);
+    const ColourRange range = colour_range({-8, 0, 3}, ValueKind::signed_value, 1);
     EXPECT_EQ(range.low, -8);
     EXPECT_EQ(range.high, 8);
 }
@@ -111,16 +118,16 @@ TEST(ColourScale, SignedRangesFollowTheLargerSide) {
 TEST(ColourScale, LeavesOutThreeOfTwoThousandPointsAtEachEnd) {
     std::vector<double> values;
     for (int k = 0; k < 2001; ++k) values.push_back(k < 3 ? -1e6 : k > 1997 ? 1e6 : 1 + 1e-3 * k);
-    const ColourRange some = colour_range(values, false, false);
-    EXPECT_TRUE(some.clipped_low && some.clipped_high);
+    const ColourRange some = colour_range(values, ValueKind::level, 0.1);
+    EXPECT_NE(beyond(some, values), "");
     EXPECT_NEAR(some.high - some.low, 2, 0.5);
     values[3] = -1e6, values[4] = -1e6;
-    EXPECT_LT(colour_range(values, false, false).low, -1e5) << "more than that are shown";
+    EXPECT_LT(colour_range(values, ValueKind::level, 0.1).low, -1e5) << "more than that are shown";
 }
 
 TEST(ColourScale, FromZeroMeansZeroOrWhatLiesBelow) {
-    EXPECT_EQ(colour_range({5, 6, 7}, false, true).low, 0);
-    EXPECT_EQ(colour_range({5, 6, 7}, false, false).low, 5);
+    EXPECT_EQ(colour_range({5, 6, 7}, ValueKind::magnitude, 1).low, 0);
+    EXPECT_EQ(colour_range({5, 6, 7}, ValueKind::level, 1).low, 5);
 }
 
 TEST(BiaxialPlot, ShowsPerCentAndDilationUpwards) {
@@ -153,14 +160,19 @@ TEST(FieldRows, SquaresStretchWithTheirPoints) {
     EXPECT_EQ(rows[1][0], -2.45);
 }
 
+// Its displacement is 0.05 m; arrows are a spacing of 30 on a picture's width long, on depth's axis.
 TEST(FieldRows, ArrowsAreMirroredAndTheLongestIsASpacingLong) {
-    const Table rows = numbers(arrow_rows(one_point(), mirrored(), 0.7));
+    const ArrowScale scale = arrow_scale(one_point(), mirrored(), {0, 0.05});
+    EXPECT_NEAR(scale.length * 0.05, scale.spacing, 1e-12);
+    EXPECT_NEAR(scale.shown, 0.1, 1e-12);
+    const Table rows = numbers(arrow_rows(one_point(), mirrored(), scale));
     ASSERT_EQ(rows.size(), 2u);
     for (const double side : {1.0, -1.0}) {
         const auto& row = rows[side > 0 ? 0 : 1];
         EXPECT_NEAR(row[0], side * 2.45, 1e-9);
-        EXPECT_NEAR(row[2], side * 0.7 * 0.6, 1e-9);
-        EXPECT_NEAR(row[3], 0.7 * 0.8, 1e-9);
+        EXPECT_NEAR(row[1], 5 - 1.05, 1e-9);
+        EXPECT_NEAR(row[2], side * 0.6 * scale.spacing, 1e-4);
+        EXPECT_NEAR(row[3], -0.8 * scale.spacing, 1e-4);
     }
 }
 
