@@ -12,8 +12,8 @@ namespace {
 
 using results::Quantity;
 
-constexpr int room_x = 240, room_y = 165, line_height = 21;  // axes, colour bar; a line of the title [px]
-constexpr int room_right = 135, room_kinds = 175;  // of room_x: colour bar with its numbers or words
+constexpr int room_x = 260, room_y = 165, line_height = 24;  // axes, colour bar; a line of the title [px]
+constexpr int room_right = 158, room_kinds = 180;  // of room_x: colour bar with its numbers or words
 constexpr int narrowest = 460, lowest = 330, highest = 1100;
 constexpr double arrows_across = 30;
 constexpr double at_rest = 0.01;         // of the range of colours: shorter displacements have no arrow

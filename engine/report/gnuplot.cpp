@@ -51,10 +51,10 @@ constexpr double pixels_per_inch = 96;
 
 std::string terminal(const Plot& plot, const std::string& format) {
     if (format == ".svg")
-        return fmt::format("svg size {},{} dynamic font 'DejaVu Sans,17' background 'white'", plot.width,
+        return fmt::format("svg size {},{} dynamic font 'DejaVu Sans,16' background 'white'", plot.width,
                            plot.height);
     if (format == ".pdf")
-        return fmt::format("pdfcairo size {},{} font 'DejaVu Sans,13' fontscale 1 background 'white'",
+        return fmt::format("pdfcairo size {},{} font 'DejaVu Sans,13' fontscale 0.75 background 'white'",
                            plot.width / pixels_per_inch, plot.height / pixels_per_inch);
     const double k = density(plot);
     return fmt::format(

@@ -105,7 +105,10 @@ std::string words_at(const LoadPicture& picture, const Extent& e, double at, dou
     };
     const bool low = n - e.low < 0.15 * (e.high - e.low);
     const bool below = !low && (line_near(-0.01, 0.12) || late);
-    return fmt::format("{} offset {},{}", late ? "right" : "left", late ? -1 : 1, below ? -1.4 : 1);
+    return fmt::format("{} offset {},{}", late ? "right" : "left", late ? -1 : 1,
+                       !below ? 1
+                       : late ? -4
+                              : -2.6);
 }
 
 std::string breakout_words(const LoadCurve& curve) {
@@ -122,7 +125,7 @@ std::string breakout_label(const LoadCurve& curve, std::size_t k, const LoadPict
     const std::string dot =
         fmt::format("set label '' at {},{} point pt 7 ps 1.2 lc rgb '{}' front\n", at, n, series_colour(k));
     if (picture.curves.size() > 1) return dot;
-    return dot + fmt::format("set label {} at {},{} {} noenhanced boxed textcolor '{}' front\n",
+    return dot + fmt::format("set label {} at {},{} {} noenhanced textcolor '{}' front\n",
                              literal(breakout_words(curve)), at, n, words_at(picture, e, at, n),
                              series_colour(k));
 }

@@ -79,7 +79,7 @@ TEST(LoadPlot, TheRightAxisCountsInKilonewtons) {
 TEST(LoadPlot, WordsStandClearOfALineThatWouldRunThroughThem) {
     LoadPicture picture{"t", {curve()}, {{"formula", 3.2}}};
     picture.curves[0].breakout.d_over_B = 0.01;
-    EXPECT_TRUE(says(load_plot(picture), "at 0.01,3 left offset 1,-1.4"));  // below it
+    EXPECT_TRUE(says(load_plot(picture), "at 0.01,3 left offset 1,-2.6"));  // below it
     picture.references[0].n_gamma = 3.6;
     EXPECT_TRUE(says(load_plot(picture), "at 0.01,3 left offset 1,1 "));
 }
@@ -88,7 +88,7 @@ TEST(LoadPlot, WordsStandClearOfALineThatWouldRunThroughThem) {
 TEST(LoadPlot, WordsStayInsideTheAxes) {
     LoadPicture picture{"t", {curve()}, {}};
     picture.curves[0].breakout.d_over_B = 0.05;
-    EXPECT_TRUE(says(load_plot(picture), "at 0.05,3 right offset -1,-1.4"));
+    EXPECT_TRUE(says(load_plot(picture), "at 0.05,3 right offset -1,-4"));
     picture.references = {{"formula", 40}};
     EXPECT_TRUE(says(load_plot(picture), "at 0.05,3 right offset -1,1 "));
 }
