@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "io/run_file.hpp"
-#include "results/run_summary.hpp"
 #include "results/screening_summary.hpp"
 #include "tests/unit/io/scratch.hpp"
 
@@ -131,17 +130,6 @@ TEST(ScreeningSummary, QuantilesOfTheJumpsAreWhatTheirNamesSay) {
     EXPECT_NEAR(s.number("ordinary_step_p95"), 0.0095, 1e-12);
     EXPECT_EQ(s.number("switches strain"), 50);
     EXPECT_EQ(s.number("switches tension"), 51);
-}
-
-TEST(BrokeOut, IsSaidOfAPeakOrASteadySlopeOnly) {
-    io::Summary s;
-    EXPECT_FALSE(broke_out(s)) << "without a plate";
-    for (const auto& [kind, expected] : {std::pair{BreakoutKind::zero_slope, true},
-                                         {BreakoutKind::steady_slope, true},
-                                         {BreakoutKind::still_rising, false}}) {
-        s.extra = {{"breakout_criterion", double(kind)}};
-        EXPECT_EQ(broke_out(s), expected);
-    }
 }
 
 }  // namespace
