@@ -4,6 +4,7 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
+#include "base/file_name.hpp"
 #include "io/atomic_file.hpp"
 #include "results/failure_table.hpp"
 
@@ -26,7 +27,7 @@ struct Arguments {
 };
 
 void run(const Arguments& a) {
-    io::require_writable_file(a.csv);
+    require_extension(a.csv, ".csv"), io::require_writable_file(a.csv);
     const std::string table = results::failure_csv(a.folders);
     if (a.csv.empty())
         fmt::print("{}", table);

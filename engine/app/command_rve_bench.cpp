@@ -91,19 +91,23 @@ void run(const Options& options) {
 void add_rve_bench(CLI::App& rve) {
     CLI::App* bench = rve.add_subcommand("bench", "time of a DEM step on one core, in simple shear");
     auto options = std::make_shared<Options>();
-    bench->add_option("--packing", options->packing,
-                      "packing, .csv or .h5 (default: a dense one made on the spot)");
-    bench->add_option("--grains", options->grains, "of the packing made on the spot")
-        ->check(CLI::Range(20, 65000));
+    CLI::Option* packing = bench->add_option("--packing", options->packing,
+                                             "packing, .csv or .h5 (default: a dense one made on the spot)");
+    CLI::Option* grains = bench->add_option("--grains", options->grains, "of the packing made on the spot");
+    grains->check(CLI::Range(20, 65000))->excludes(packing);
     bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::Range(1, 1000000000));
-    bench->add_flag("--reference", options->reference, "the published step instead of the optimised kernel");
-    bench->add_flag("--growth", options->growth, "time against the number of grains: 100, 400, 1600, 10000");
+    CLI::Option* reference = bench->add_flag("--reference", options->reference,
+                                             "the published step instead of the optimised kernel");
+    CLI::Option* growth = bench->add_flag("--growth", options->growth,
+                                          "time against the number of grains: 100, 400, 1600, 10000");
+    growth->excludes(packing, grains);
     std::vector<std::string> targets = dem::kernel_targets();
     targets.push_back("all");
     bench
         ->add_option("--target", options->target,
                      "instruction set of the kernel (default: the widest), or all")
-        ->check(CLI::IsMember(targets));
+        ->check(CLI::IsMember(targets))
+        ->excludes(reference, growth);
     bench->callback([options] { run(*options); });
 }
 

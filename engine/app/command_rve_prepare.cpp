@@ -5,6 +5,7 @@
 
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
+#include "base/file_name.hpp"
 #include "base/revision.hpp"
 #include "dem/make_assembly.hpp"
 #include "dem/packing/csv.hpp"
@@ -12,6 +13,7 @@
 #include "io/atomic_file.hpp"
 #include "io/packing_file.hpp"
 #include "packings/base_packing.hpp"
+#include "packings/packing_material.hpp"
 #include "scene/recipe_spec.hpp"
 
 namespace sandgraph::app {
@@ -41,7 +43,10 @@ void write_csv(const std::string& file, const dem::Packing& packing, const scene
 }
 
 void run(const Options& options) {
-    const scene::RecipeSpec recipe = scene::read_recipe(options.recipe);
+    scene::RecipeSpec recipe = scene::read_recipe(options.recipe);
+    packings::take_packing_material(recipe.grains, recipe.given);
+    require_extension(options.out, ".h5", Naming::always),
+        require_extension(options.csv, ".csv", Naming::always);
     io::require_writable_file(options.out), io::require_writable_file(options.csv);
     const dem::Packing packing = make_packing(recipe);
     if (!options.csv.empty()) write_csv(options.csv, packing, recipe);

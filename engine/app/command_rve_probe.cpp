@@ -6,6 +6,7 @@
 
 #include "app/command_rve.hpp"
 #include "base/console.hpp"
+#include "base/file_name.hpp"
 #include "io/atomic_file.hpp"
 #include "io/history.hpp"
 #include "io/history_file.hpp"
@@ -29,7 +30,7 @@ void probe(const scene::ProbeSpec& spec, const Options& options) {
 
 void run(const Options& options) {
     const scene::ProbeSpec spec = scene::read_probe(options.recipe);
-    io::require_writable_file(options.out);
+    require_extension(options.out, ".h5"), io::require_writable_file(options.out);
     const double start = wall_clock();
     probe(spec, options);
     fmt::print("{}: {:.0f} s\n{}", options.out, wall_clock() - start,

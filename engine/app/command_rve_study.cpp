@@ -95,13 +95,12 @@ void add_rve_study(CLI::App& rve) {
     CLI::App* study = rve.add_subcommand("study", "what each stepping rule of an RVE costs and errs");
     auto options = std::make_shared<Options>();
     study->add_option("-o,--out", options->out, "folder for study.csv and study.png")->capture_default_str();
-    study->add_option("--seeds", options->seeds, "packings of seeds 1 to N")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    CLI::Option* seeds = study->add_option("--seeds", options->seeds, "packings of seeds 1 to N");
+    seeds->check(CLI::Range(1, 1000))->capture_default_str();
     study->add_option("--history", options->histories, "only these of the histories")
         ->check(CLI::IsMember(
             {"quiet", "biaxial", "simple_shear", "reversal", "post_peak", "near_zero", "recontact"}));
-    study->add_flag("--quick", options->quick, "one seed, shorter histories, fewer values");
+    study->add_flag("--quick", options->quick, "one seed, shorter histories, fewer values")->excludes(seeds);
     study->callback([options] { run(*options); });
 }
 

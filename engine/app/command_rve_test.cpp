@@ -5,10 +5,13 @@
 #include <optional>
 
 #include "app/command_rve.hpp"
+#include "base/console.hpp"
+#include "base/file_name.hpp"
 #include "base/revision.hpp"
 #include "io/atomic_file.hpp"
 #include "laboratory/element_test.hpp"
 #include "packings/base_packing.hpp"
+#include "packings/packing_material.hpp"
 
 namespace sandgraph::app {
 namespace {
@@ -22,10 +25,19 @@ std::string metadata(const Options& options) {
     return nlohmann::json{{"test", options.test}, {"packing", options.packing}, {"git", revision()}}.dump();
 }
 
+// The test's own [grains] stand over the packing's, which a .csv does not have.
+void tell_of_other_material(const Options& options, const dem::Material& used,
+                            const dem::Material& of_packing) {
+    if (!packings::has_material(options.packing)) return;
+    const std::string other = packings::changed_material(used, of_packing);
+    if (!other.empty()) notice(fmt::format("{}: {}", options.test, other));
+}
+
 void run(const Options& options) {
-    io::require_writable_file(options.out);
+    require_extension(options.out, ".csv"), io::require_writable_file(options.out);
     const io::PackingRecord record = packings::load_packing(options.packing);
     const scene::ElementTestSpec spec = scene::read_element_test(options.test, record.material);
+    tell_of_other_material(options, spec.material, record.material);
     const laboratory::ElementOutcome outcome =
         laboratory::run_element_test(spec, record.packing, metadata(options));
     if (options.out.empty()) {

@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "base/console.hpp"
+#include "base/file_name.hpp"
 #include "base/process.hpp"
 #include "io/atomic_file.hpp"
 #include "io/history_file.hpp"
@@ -47,7 +48,7 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
 void run(const Options& options) {
     const scene::TrainSpec spec = scene::read_train(options.recipe);
     const fs::path program = trainer();
-    io::require_writable_file(options.out);
+    require_extension(options.out, ".h5"), io::require_writable_file(options.out);
     if (!options.evaluate.empty()) surrogate::load_surrogate(options.evaluate);  // refused before the probes
     const std::string probes = probe_log(spec, options.out.empty() ? options.evaluate : options.out);
     std::vector<std::string> arguments{program.string(), options.recipe};
@@ -71,7 +72,8 @@ void add_train_command(CLI::App& app, int&) {
     CLI::Option* evaluate = train->add_option("--evaluate", options->evaluate,
                                               "model to measure on the held-out histories; trains nothing");
     evaluate->check(CLI::ExistingFile)->excludes(out);
-    train->add_flag("--ladder", options->ladder, "train and measure every rung, not only the recipe's");
+    train->add_flag("--ladder", options->ladder, "train and measure every rung, not only the recipe's")
+        ->excludes(evaluate);
     train->add_flag("--measure", options->measure,
                     "write the errors alone: for the baselines, and laws told less of their packings");
     train->callback([options] {

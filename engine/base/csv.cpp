@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
+// 7, " 7" and "7" in quotes, as spreadsheets write texts.
+std::string_view bare(std::string_view cell) {
+    cell = trimmed(cell);
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+    return trimmed(cell);
+}
+
 // from_chars knows no plus sign.
 template <class Number>
 bool parse(std::string_view cell, Number& value) {
@@ -48,7 +55,7 @@ std::vector<std::string_view> CsvReader::cells() const {
     const std::string_view all = text_;
     for (std::size_t from = 0;;) {
         const std::size_t to = all.find(',', from);
-        cells.push_back(trimmed(all.substr(from, to - from)));
+        cells.push_back(bare(all.substr(from, to - from)));
         if (to == std::string_view::npos) return cells;
         from = to + 1;
     }

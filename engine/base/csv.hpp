@@ -11,7 +11,7 @@
 namespace sandgraph {
 
 // Reads comma-separated values as people and their programs write them: lines that end in CRLF, a byte order
-// mark, blanks around cells, empty lines, comment lines that begin with '#'.
+// mark, blanks or quotes around cells, empty lines, comment lines that begin with '#'.
 class CsvReader {
   public:
     // InputError when the file cannot be read.
@@ -22,7 +22,7 @@ class CsvReader {
     bool comment() const { return text_.starts_with('#'); }
 
     const std::string& text() const { return text_; }  // without blanks at both ends
-    std::vector<std::string_view> cells() const;       // of the line, without blanks at both ends
+    std::vector<std::string_view> cells() const;       // of the line, without blanks and quotes at both ends
     int line() const { return line_; }                 // counted from 1
     InputError::Where where() const { return {name_, line_}; }
     [[noreturn]] void refuse(const std::string& problem, const std::string& why,

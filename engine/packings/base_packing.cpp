@@ -1,8 +1,7 @@
 #include "packings/base_packing.hpp"
 
-#include <filesystem>
-
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "dem/make_assembly.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/prepare/prepare.hpp"
@@ -12,12 +11,14 @@
 namespace sandgraph::packings {
 
 io::PackingRecord load_packing(const std::string& file) {
-    const std::string kind = std::filesystem::path(file).extension().string();
+    const std::string kind = extension_of(file);
     if (kind == ".csv") return {.packing = dem::read_packing_csv(file), .material = {}, .recipe = {}};
     if (kind == ".h5") return io::read_packing(file);
     throw InputError({file, 0}, "unknown kind of packing file", "its name must tell the format",
                      "give a .csv or .h5 file");
 }
+
+bool has_material(const std::string& file) { return extension_of(file) == ".h5"; }
 
 dem::Packing base_packing(const scene::Grains& grains, const ProgressCallback& progress) {
     if (!grains.packing.empty()) return load_packing(grains.packing).packing;

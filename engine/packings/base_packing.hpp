@@ -12,6 +12,9 @@ namespace sandgraph::packings {
 // A packing from `file` (.csv or .h5). A CSV knows no material: Table 1's stands. Throws InputError.
 io::PackingRecord load_packing(const std::string& file);
 
+// Does this packing file know its material? An .h5 does.
+bool has_material(const std::string& file);
+
 // The base packing of `grains`: its packing file, or what its recipe makes; at rest.
 dem::Packing base_packing(const scene::Grains& grains, const ProgressCallback& progress = {});
 

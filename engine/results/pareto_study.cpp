@@ -7,6 +7,7 @@
 #include "base/console.hpp"
 #include "base/hash.hpp"
 #include "base/revision.hpp"
+#include "base/text.hpp"
 #include "io/checkpoint.hpp"
 #include "io/run_file.hpp"
 #include "scene/scene_hash.hpp"
@@ -44,9 +45,21 @@ bool is_of(const fs::path& folder, const std::string& hash, int threads) {
     return info.scene_hash == hash && info.git == revision() && info.threads == threads;
 }
 
+// A study's settings of the surrogate are for the runs that have one, those of the gate for those with a
+// gate.
+void drop_idle(std::vector<std::string>& set, const Plan& plan) {
+    const auto idle = [&plan](const std::string& assignment) {
+        const auto of = [&assignment](const char* table) { return trimmed(assignment).starts_with(table); };
+        if (plan.mode == "full") return of("surrogate.") || of("gate.") || of("audit.");
+        return plan.label == "surrogate" && of("gate.");
+    };
+    std::erase_if(set, idle);
+}
+
 simulation::RunRequest run_request(const ParetoRequest& request, const Plan& plan) {
     simulation::RunRequest run = request.run;
     run.mode = plan.mode;
+    drop_idle(run.set, plan);
     run.set.insert(run.set.end(), plan.set.begin(), plan.set.end());
     return run;
 }

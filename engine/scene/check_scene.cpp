@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/units.hpp"
+
 namespace sandgraph::scene {
 namespace {
 
@@ -17,7 +19,7 @@ class Checks {
         : domain_(scene.domain),
           anchor_(scene.anchor),
           ground_(scene.ground),
-          end_time_(scene.mpm.end_time),
+          regions_(scene.regions),
           keys_(keys),
           file_(scene.file) {}
 
@@ -31,11 +33,37 @@ class Checks {
             refuse("ground.gravity", "nothing presses on the ground that is to hold the plate",
                    "write \"9.81 m/s2\", or give the ground a surcharge");
     }
-    // The default passes: `keys` writes a scene with every key.
-    void ends_with_the_pull() const {
-        if (end_time_ != Mpm{}.end_time)
-            refuse("mpm.end_time", "a run with an anchor ends with the pull, at anchor.pull_to",
-                   "leave it out, or write anchor.present = false");
+    void densities() const {
+        for (const char* name : {"continuum.density", "grains.grain_density"}) {
+            const auto* density = dynamic_cast<const Real*>(keys_.at(name).value.get());
+            if (ground_.gravity != standard_gravity && density && density->unit_weight())
+                refuse(name, "a unit weight is a density only at 9.81 m/s2, here gravity is another",
+                       "write the density in kg/m3");
+        }
+    }
+    // Sand that widens by more than it rubs would give off energy.
+    void dilation() const {
+        const Continuum& c = ground_.continuum;
+        if (ground_.law == Law::mohr_coulomb && c.dilation_angle > c.friction_angle * (1 + slack))
+            refuse("continuum.dilation_angle",
+                   fmt::format("above friction_angle = {}, such a ground would give off energy",
+                               unquoted("continuum.friction_angle")),
+                   fmt::format("write \"{}\" or less", unquoted("continuum.friction_angle")));
+    }
+    // One that lies in part outside is the points inside: in a half model that is the half of it.
+    void regions_in_the_ground() const {
+        for (const Region& region : regions_) {
+            const auto [x, y] = in_metres(region);
+            if (x[1] >= 0 && x[0] <= domain_.width && y[1] >= 0 && y[0] <= domain_.depth) continue;
+            throw InputError(
+                region.where, fmt::format("[[region]] {} lies outside the ground", region.name),
+                fmt::format(
+                    "it reaches from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) m, the ground from (0, 0) to "
+                    "({:.4g}, {:.4g}) m",
+                    x[0], y[0], x[1], y[1], domain_.width, domain_.depth),
+                "move it into the ground; lengths are plate widths from the plate's centre, or metres as "
+                "text");
+        }
     }
     void plate() const {
         anchor_.orientation == Orientation::horizontal ? horizontal_plate() : vertical_plate();
@@ -91,6 +119,20 @@ class Checks {
         if (domain_.width + slack < needed)
             refuse("domain.width", why, fmt::format("write \"{:.6g} m\" or more", cells_up(needed)));
     }
+    // As a file has it, without the quotes.
+    std::string unquoted(const char* name) const {
+        const std::string shown = keys_.at(name).value->shown();
+        return shown.substr(1, shown.size() - 2);
+    }
+    // Low and high x and y of a region in the domain.
+    std::pair<std::array<double, 2>, std::array<double, 2>> in_metres(const Region& r) const {
+        if (r.absolute || !anchor_.present) return {r.x, r.y};
+        const double B = anchor_.width, H = anchor_.embedment_ratio * B;
+        const bool lying = anchor_.orientation == Orientation::horizontal;
+        const double centre = domain_.depth - H + (lying ? -0.5 * anchor_.thickness : 0.5 * B);
+        return {{anchor_.position + B * r.x[0], anchor_.position + B * r.x[1]},
+                {centre + B * r.y[0], centre + B * r.y[1]}};
+    }
     double cells_up(double length) const { return std::ceil(length / domain_.cell - 1e-6) * domain_.cell; }
 
     void horizontal_plate() const {
@@ -127,7 +169,7 @@ class Checks {
     const Domain& domain_;
     const Anchor& anchor_;
     const Ground& ground_;
-    const double end_time_;
+    const std::vector<Region>& regions_;
     const KeyTable& keys_;
     const std::string& file_;
 };
@@ -141,11 +183,13 @@ double point_spacing(const Domain& domain) {
 void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
-    if (!scene.anchor.present) return;
-    checks.ends_with_the_pull();
+    checks.densities();
+    checks.dilation();
+    if (!scene.anchor.present) return checks.regions_in_the_ground();
     checks.stressed();
     checks.plate();
     checks.plate_between_points();
+    checks.regions_in_the_ground();
 }
 
 }  // namespace sandgraph::scene

@@ -12,7 +12,7 @@ enum class TestKind { path, biaxial, isotropic, simple_shear };
 // A checked element test in SI, compression positive. Only the test of its kind has been read.
 struct ElementTestSpec {
     TestKind kind = TestKind::path;
-    dem::Kernel mode = dem::Kernel::reference;
+    dem::Kernel mode = dem::Kernel::fast;
     dem::Material material;
     graph::RveSettings rve;  // mode = fast
     dem::PathTest path;

@@ -31,14 +31,6 @@ class DensityName : public Choice {
     static std::vector<std::string> names() { return {"dense", "loose", "custom"}; }
 };
 
-void refuse_given(const KeyTable& keys, const char* name, const Grains& grains) {
-    const Key& key = keys.at(name);
-    if (key.given)
-        throw InputError(key.where, fmt::format("{} = {}", name, key.value->shown()),
-                         fmt::format("density = \"{}\" sets it", grains.density),
-                         "write density = \"custom\" or leave this key out");
-}
-
 }  // namespace
 
 void add_material_keys(KeyTable& keys, dem::Material& m) {
@@ -96,11 +88,8 @@ void add_stepping_keys(KeyTable& keys, graph::RveSettings& r) {
 }
 
 void complete_grains(const KeyTable& keys, Grains& g) {
-    for (const Preset& preset : presets) {
-        if (g.density != preset.density) continue;
-        refuse_given(keys, "grains.target_porosity", g);
-        g.target_porosity = preset.porosity;
-    }
+    for (const Preset& preset : presets)
+        if (g.density == preset.density) g.target_porosity = preset.porosity;
     if (const Key& porosity = keys.at("grains.target_porosity"); g.density == "custom" && !porosity.given)
         throw InputError(keys.at("grains.density").where, "grains.density = \"custom\"",
                          "it has no porosity of its own", "write grains.target_porosity, too");

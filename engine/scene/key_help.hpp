@@ -1,11 +1,14 @@
 #pragma once
 #include <string>
 
+#include "scene/effects.hpp"
 #include "scene/key_table.hpp"
 
 namespace sandgraph::scene {
 
-// Every key with its default, allowed values and meaning, table by table, as TOML that can be copied.
-std::string key_help(const KeyTable& keys);
+// Every key with its default, allowed values and meaning, table by table, as TOML that can be copied; behind
+// a
+// '#' what would have no effect beside the other defaults.
+std::string key_help(const KeyTable& keys, const EffectRules& rules);
 
 }  // namespace sandgraph::scene

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
+#include "scene/foreign_words.hpp"
 #include "scene/toml_file.hpp"
 
 namespace sandgraph::scene {
@@ -46,6 +47,13 @@ const Key& KeyTable::at(std::string_view full_name) const {
     return *found;
 }
 
+GivenKeys KeyTable::given() const {
+    GivenKeys out;
+    for (const Key& key : keys_)
+        if (key.given) out[key.full_name()] = key.where;
+    return out;
+}
+
 std::vector<std::string> KeyTable::section_names() const {
     std::vector<std::string> names;
     for (const Key& key : keys_)
@@ -84,20 +92,26 @@ void KeyTable::read_key(const toml::node& node, const std::string& section, cons
     key->given = true;
 }
 
-// Best advice first: the same key of another table, else the nearest name at this level.
+// Best advice first: what this table's users mean by the word, the same key of another table, what anybody
+// means by it, the nearest name at this level.
 void KeyTable::refuse_key(const Entry& entry, const std::string& section, const std::string& name) const {
     const bool is_table = entry.node.is_table();
+    const std::string problem = fmt::format("unknown {} {}", is_table ? "table" : "key", entry.name);
+    const std::string known = "sandgraph keys lists what is known";
+    if (const auto word = foreign_word(section, name))
+        throw InputError(entry.where, problem, word->why, word->advice);
     const auto elsewhere = std::ranges::find(keys_, name, &Key::name);
+    if (elsewhere != keys_.end() && !is_table)
+        throw InputError(
+            entry.where, problem, known,
+            fmt::format("it belongs to {}",
+                        elsewhere->section.empty() ? "the top of the file" : "[" + elsewhere->section + "]"));
+    if (const auto word = foreign_word(any_table, name))
+        throw InputError(entry.where, problem, word->why, word->advice);
     std::vector<std::string> names = section.empty() ? section_names() : std::vector<std::string>{};
     for (const Key& key : keys_)
         if (key.section == section) names.push_back(key.name);
-    const std::string advice =
-        elsewhere != keys_.end() && !is_table
-            ? fmt::format("it belongs to {}",
-                          elsewhere->section.empty() ? "the top of the file" : "[" + elsewhere->section + "]")
-            : did_you_mean(name, names, "take one of those");
-    throw InputError(entry.where, fmt::format("unknown {} {}", is_table ? "table" : "key", entry.name),
-                     "sandgraph keys lists what is known", advice);
+    throw InputError(entry.where, problem, known, did_you_mean(name, names, "take one of those"));
 }
 
 }  // namespace sandgraph::scene

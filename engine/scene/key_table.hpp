@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ struct Key {
 
     std::string full_name() const { return section.empty() ? name : section + "." + name; }
 };
+
+// "section.name" of the keys that a file or an override sets, and where it does so.
+using GivenKeys = std::map<std::string, InputError::Where, std::less<>>;
 
 // All keys that a kind of file may have. The table refuses everything else with the nearest name it knows.
 class KeyTable {
@@ -57,6 +61,7 @@ class KeyTable {
     const std::vector<Key>& keys() const { return keys_; }
     // The key "section.name", which must exist.
     const Key& at(std::string_view full_name) const;
+    GivenKeys given() const;
 
   private:
     void read_section(const toml::table& table, const std::string& section, const std::string& file);

@@ -33,6 +33,7 @@ void Real::read(const Entry& entry) {
     if (!range_.contains(value))
         entry.refuse("out of range", fmt::format("write a value {}", range_.text(unit_)));
     value_ = value;
+    unit_weight_ = is_unit_weight(entry.node.value_or(std::string{}));
 }
 
 std::string Real::shown() const {

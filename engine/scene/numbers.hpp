@@ -15,12 +15,14 @@ class Real : public Value {
     std::string shown() const override;
     std::string canonical() const override;
     std::string allowed() const override { return range_.text(unit_); }
+    bool unit_weight() const { return unit_weight_; }  // was a density written as weight?
 
   private:
     double quantity(const Entry& entry) const;
     double& value_;
     std::string unit_;
     Range range_;
+    bool unit_weight_ = false;
 };
 
 // A list of bare numbers, rising.

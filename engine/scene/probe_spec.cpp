@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/effects.hpp"
+#include "scene/file_kind.hpp"
 #include "scene/grain_keys.hpp"
 #include "scene/toml_file.hpp"
 
@@ -72,7 +74,10 @@ ProbeSpec read_probe(const std::string& file) {
     probe.file = file;
     probe.text = read_text(file);
     KeyTable keys = probe_keys(probe);
-    keys.read(parse_toml(probe.text, file), file);
+    const toml::table table = parse_toml(probe.text, file);
+    require_kind(table, file, FileKind::probe);
+    keys.read(table, file);
+    check_effects(keys, effect_rules(probe, keys));
     check_disks(keys, probe.grains);
     const ProbePaths& p = probe.paths;
     in_order(keys, "packings.pressure_min", "packings.pressure_max",

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include "scene/effects.hpp"
 #include "scene/element_test_keys.hpp"
 #include "scene/element_test_spec.hpp"
+#include "scene/file_kind.hpp"
 #include "scene/toml_file.hpp"
 
 namespace sandgraph::scene {
@@ -66,11 +68,13 @@ void check_rates(const KeyTable& keys, const dem::PathTest& test, const std::str
 
 ElementTestSpec read_element_test(const std::string& file, const dem::Material& material) {
     const toml::table table = parse_toml(read_text(file), file);
+    require_kind(table, file, FileKind::element_test);
     ElementTestSpec spec;
     spec.material = material;
     spec.kind = read_kind(table, file);
     KeyTable keys = element_test_keys(spec);
     keys.read(table, file);
+    check_effects(keys, effect_rules(spec, keys));
     if (spec.kind == TestKind::path) need_one_source(keys, file);
     visit_test(spec, [&](const auto& test) { check_rates(keys, test, file); });
     return spec;

@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "scene/check_scene.hpp"
+#include "scene/effects.hpp"
+#include "scene/file_kind.hpp"
 #include "scene/grain_keys.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/toml_file.hpp"
@@ -26,11 +28,20 @@ void place_anchor(const KeyTable& keys, Scene& scene) {
     scene.anchor.position = std::round((0.5 * scene.domain.width - half) / spacing) * spacing + half;
 }
 
+// A key that lost its effect by an override would be refused in the text that a run keeps.
+void drop_idle(toml::table& table, const KeyTable& keys, const EffectRules& rules) {
+    for (const Key& key : keys.keys()) {
+        const EffectRule* rule = key.given ? idle_by(rules, key) : nullptr;
+        if (rule && !rule->may_stand) table[key.section].as_table()->erase(key.name);
+    }
+}
+
 Scene parse(const std::string& text, const std::string& file, std::span<const std::string> overrides,
             NamedFiles files) {
     Scene scene;
     scene.file = file;
     toml::table table = parse_toml(text, file);
+    require_kind(table, file, FileKind::scene);
     KeyTable keys = scene_keys(scene);
     keys.read(table, file, files);
     for (const std::string& assignment : overrides) {
@@ -38,9 +49,11 @@ Scene parse(const std::string& text, const std::string& file, std::span<const st
         keys.read(extra, override_file);
         merge(table, extra);
     }
+    const EffectRules rules = effect_rules(scene, keys);
+    if (files == NamedFiles::exist) check_effects(keys, rules);  // what is over has done what it has done
+    if (!overrides.empty()) drop_idle(table, keys, rules);
     scene.text = overrides.empty() ? text : to_text(table);
-    for (const Key& key : keys.keys())
-        if (key.given) scene.given[key.full_name()] = key.where;
+    scene.given = keys.given();
     complete_grains(keys, scene.ground.grains);
     place_anchor(keys, scene);
     check_scene(scene, keys);

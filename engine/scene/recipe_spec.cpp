@@ -1,5 +1,7 @@
 #include "scene/recipe_spec.hpp"
 
+#include "scene/effects.hpp"
+#include "scene/file_kind.hpp"
 #include "scene/grain_keys.hpp"
 #include "scene/toml_file.hpp"
 
@@ -17,7 +19,11 @@ RecipeSpec read_recipe(const std::string& file) {
     recipe.file = file;
     recipe.text = read_text(file);
     KeyTable keys = recipe_keys(recipe);
-    keys.read(parse_toml(recipe.text, file), file);
+    const toml::table table = parse_toml(recipe.text, file);
+    require_kind(table, file, FileKind::recipe);
+    keys.read(table, file);
+    check_effects(keys, effect_rules(recipe, keys));
+    recipe.given = keys.given();
     complete_grains(keys, recipe.grains);
     return recipe;
 }

@@ -11,6 +11,7 @@ struct RecipeSpec {
     std::string file, text;
     Grains grains;
     double pressure = 10e3;  // [Pa]
+    GivenKeys given;
 };
 
 // The keys of a recipe file, filling `recipe`, which must outlive the table.

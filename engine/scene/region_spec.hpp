@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
+
 namespace sandgraph::scene {
 
 // A part of the ground that a run follows by name: the material points that lie in a rectangle before the
@@ -14,6 +16,7 @@ struct Region {
     std::array<double, 2> x{0, 0}, y{0, 0};  // low and high; equal for a tracked point
     std::vector<double>
         packings;  // d/B (without an anchor s) at which the packing nearest to the middle is kept
+    InputError::Where where{};
 };
 
 }  // namespace sandgraph::scene

@@ -68,6 +68,7 @@ class RegionReader {
         if (!names_a_file(region_.name))
             refuse(fmt::format("name = \"{}\"", region_.name), "it names files and columns",
                    "write up to 40 letters, digits, _ or -");
+        region_.where = where_;
         keys_.at("at").given ? place_point() : place_rectangle();
         return region_;
     }

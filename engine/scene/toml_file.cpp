@@ -40,6 +40,9 @@ std::string read_text(const std::string& file) {
 }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
+    if (text.starts_with("\x89HDF"))
+        throw InputError({file, 0}, "not valid TOML", "it is an HDF5 file: a packing, run, log or model",
+                         "`sandgraph info` tells what is in it; give a TOML file here");
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {

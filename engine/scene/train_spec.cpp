@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "scene/effects.hpp"
+#include "scene/file_kind.hpp"
 #include "scene/toml_file.hpp"
 
 namespace sandgraph::scene {
@@ -100,7 +102,10 @@ TrainSpec read_train(const std::string& file) {
     spec.file = file;
     spec.text = read_text(file);
     KeyTable keys = train_keys(spec);
-    keys.read(parse_toml(spec.text, file), file);
+    const toml::table table = parse_toml(spec.text, file);
+    require_kind(table, file, FileKind::train);
+    keys.read(table, file);
+    check_effects(keys, effect_rules(spec, keys));
     if (spec.probe.empty() && spec.logs.empty())
         throw InputError({file, 0}, "nothing to train on", "there are neither logs nor a probe recipe",
                          "write logs = [\"FILE.h5\"] or probe = \"FILE.toml\" under [data]");

@@ -69,6 +69,7 @@ RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
     o.owner = std::make_shared<io::FolderLock>(o.folder);
     o.threads = threads_of(request);
     const double end = end_mark(scene);
+    if (request.until > end) notice(fmt::format("--until {:g}: the run ends at {:g}", request.until, end));
     o.until = request.until > 0 ? std::min(request.until, end) : end;
     o.resume = request.resume;
     if (o.resume) {

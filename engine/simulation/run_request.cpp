@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
+#include "packings/packing_material.hpp"
 #include "scene/read_scene.hpp"
 #include "simulation/build_screening.hpp"
 
@@ -20,6 +23,20 @@ std::string quoted(const std::string& word) {
     return out + "'";
 }
 
+// What is said twice on the command line is a slip.
+void refuse_twice(const RunRequest& a) {
+    const auto sets = [&a](std::string_view key) {
+        return std::ranges::any_of(a.set, [key](const std::string& assignment) {
+            return trimmed(std::string_view(assignment).substr(0, assignment.find('='))) == key;
+        });
+    };
+    if (!a.mode.empty() && sets("mode"))
+        throw InputError({"--mode"}, a.mode, "--set mode=... says it, too", "leave one of them out");
+    if (!a.folder.empty() && sets("output.folder"))
+        throw InputError({"--out"}, a.folder, "--set output.folder=... says it, too",
+                         "leave one of them out");
+}
+
 }  // namespace
 
 int threads_of(const RunRequest& a) {
@@ -27,9 +44,11 @@ int threads_of(const RunRequest& a) {
 }
 
 scene::Scene scene_of(const RunRequest& a) {
+    refuse_twice(a);
     std::vector<std::string> overrides = a.set;
     if (!a.mode.empty()) overrides.push_back("mode=" + a.mode);
     scene::Scene scene = scene::read_scene(a.scene, overrides);
+    packings::take_packing_material(scene.ground.grains, scene.given);
     if (scene.mode == scene::Mode::screening) {
         if (scene.ground.law != scene::Law::rve)
             throw InputError(a.mode.empty() ? scene.where("mode") : InputError::Where{"--mode"},

@@ -30,9 +30,11 @@ void expect_comment(CsvReader& in, const char* what) {
                   "begin with '# {json}', '# cell ...', '# hxx hxy hyx hyy'");
 }
 
-// The words behind the '#', parted by blanks.
+// The words behind the '#', parted by blanks or by the commas that spreadsheets put there.
 std::vector<std::string> words_of(const CsvReader& in) {
-    std::istringstream text(in.text().substr(1));
+    std::string line = in.text().substr(1);
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream text(line);
     return {std::istream_iterator<std::string>(text), {}};
 }
 

@@ -48,6 +48,14 @@ TEST_F(Csv, TakesWhatSpreadsheetsAndEditorsWrite) {
     EXPECT_FALSE(in.next_row());
 }
 
+TEST_F(Csv, TakesCellsInQuotes) {
+    CsvReader in(file("\"a\", \"b c\" ,\"\"\n\"1.5\",2,3\n"));
+    ASSERT_TRUE(in.next_row());
+    EXPECT_THAT(in.cells(), ElementsAre("a", "b c", ""));
+    ASSERT_TRUE(in.next_row());
+    EXPECT_EQ(in.number(in.cells()[0]), 1.5);
+}
+
 TEST_F(Csv, ShowsCommentsToWhoWantsThem) {
     CsvReader in(file("# 0.1 0 0 0.1\nx\n"));
     ASSERT_TRUE(in.next());

@@ -98,6 +98,24 @@ TEST_F(ElementTestFile, TakesTheMaterialOfThePackingUnlessTold) {
     EXPECT_EQ(spec.material.rolling_limit, 0);
 }
 
+TEST_F(ElementTestFile, TakesTheFastKernelUnlessTold) {
+    EXPECT_EQ(read_element_test(write("t.toml", "kind = \"biaxial\"\n")).mode, dem::Kernel::fast);
+    EXPECT_EQ(read_element_test(write("t.toml", "kind = \"biaxial\"\nmode = \"reference\"\n")).mode,
+              dem::Kernel::reference);
+}
+
+TEST_F(ElementTestFile, RefusesSteppingThatItDoesNotFollow) {
+    const std::string stepping = "[rve]\ninertial_number_max = 1e-3\n";
+    EXPECT_EQ(refused("kind = \"biaxial\"\n" + stepping).rfind("t.toml:3: rve.inertial_number_max", 0), 0u);
+    EXPECT_EQ(refused(std::string("kind = \"path\"\nmode = \"reference\"\n") + segment + stepping)
+                  .rfind("t.toml:7: rve.inertial_number_max", 0),
+              0u);
+    EXPECT_EQ(refused(std::string("kind = \"path\"\n") + segment + stepping), "accepted");
+    EXPECT_NE(refused(std::string("kind = \"path\"\n") + segment + "[rve]\nupdate_tolerance = 0.1\n")
+                  .find("every increment"),
+              std::string::npos);
+}
+
 TEST_F(ElementTestFile, RefusesKeysOfAnotherKind) {
     EXPECT_EQ(refused("kind = \"biaxial\"\nsample_every = 3\n").rfind("t.toml:2: unknown key", 0), 0u);
     EXPECT_EQ(refused("\nkind = \"biaxal\"\n").rfind("t.toml:2: kind = \"biaxal\"", 0), 0u);

@@ -51,6 +51,9 @@ TEST_F(ProbeRecipe, RefusesWhatItDoesNotKnowAndWhatDoesNotFit) {
               std::string::npos);
     EXPECT_NE(refused("[paths]\nlength_max = 1e-5\n").find("length_min"), std::string::npos);
     EXPECT_NE(refused("[packings]\npressure_max = \"2 MPa\"\n").find("pressure_stop"), std::string::npos);
+    EXPECT_NE(refused("[paths]\nflow = 0\nflow_rows = 500\n").find(".toml:3: paths.flow_rows"),
+              std::string::npos);
+    EXPECT_NE(refused("[rve]\nupdate_tolerance = 0.1\n").find("every increment"), std::string::npos);
     EXPECT_NE(refused("[grains]\nradius_min = \"8 mm\"\n").find("radius_max"), std::string::npos);
 }
 
