@@ -14,27 +14,24 @@
 namespace sandgraph::app {
 namespace {
 
-// As the table and the rules of a kind of file have it.
-template <class Spec, class MakeKeys>
-std::string help(Spec&& spec, MakeKeys make_keys) {
-    const scene::KeyTable keys = make_keys(spec);
-    return scene::key_help(keys, scene::effect_rules(spec, keys));
-}
-
 std::string test_help(scene::TestKind kind) {
     scene::ElementTestSpec spec;
     spec.kind = kind;
-    return help(spec, scene::element_test_keys);
+    return scene::key_help(scene::element_test_keys(spec), scene::FileKind::element_test);
 }
 
 std::string help_of(const std::string& what) {
     const std::vector<std::string> tests = scene::test_kind_names();
     if (const auto test = std::ranges::find(tests, what); test != tests.end())
         return test_help(static_cast<scene::TestKind>(test - tests.begin()));
-    if (what == "probe") return help(scene::ProbeSpec(), scene::probe_keys);
-    if (what == "train") return help(scene::TrainSpec(), scene::train_keys);
-    if (what == "recipe") return help(scene::RecipeSpec(), scene::recipe_keys);
-    return help(scene::Scene(), scene::scene_keys);
+    scene::ProbeSpec probe;
+    if (what == "probe") return scene::key_help(scene::probe_keys(probe), scene::FileKind::probe);
+    scene::TrainSpec train;
+    if (what == "train") return scene::key_help(scene::train_keys(train), scene::FileKind::train);
+    scene::RecipeSpec recipe;
+    if (what == "recipe") return scene::key_help(scene::recipe_keys(recipe), scene::FileKind::recipe);
+    scene::Scene scene;
+    return scene::key_help(scene::scene_keys(scene), scene::FileKind::scene);
 }
 
 }  // namespace

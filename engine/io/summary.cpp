@@ -11,6 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kKnowsSand = "surrogate_knows_this_sand";
+
 // Visits the fixed keys in their order; one list serves both directions.
 template <class S, class Visit>
 void visit_keys(S& s, Visit&& visit) {
@@ -50,6 +52,7 @@ Summary from_json(const Json& json) {
     Summary summary;
     visit_keys(summary, reader(json));
     visit_audit(summary.audit, reader(json.at("audit")));
+    if (json.contains(kKnowsSand)) summary.surrogate_knows_this_sand = json.at(kKnowsSand).get<bool>();
     Json known;
     visit_keys(summary, writer(known));
     for (const auto& [key, value] : json.items())
@@ -70,6 +73,7 @@ std::string to_json(const Summary& summary) {
     visit_keys(summary, writer(json));
     visit_audit(summary.audit, writer(audit));
     json["audit"] = audit;
+    if (summary.surrogate_knows_this_sand) json[kKnowsSand] = *summary.surrogate_knows_this_sand;
     for (const auto& [key, value] : summary.extra) json[key] = value;
     return json.dump(2) + "\n";
 }

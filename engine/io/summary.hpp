@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ struct Summary {
         std::int64_t points = 0;
         double stress_error_mean = unknown, ci95 = unknown;
     } audit;
+    std::optional<bool> surrogate_knows_this_sand;  // of a screening run; else the key is absent
     std::vector<std::pair<std::string, double>> extra;  // further keys, behind the fixed ones
 
     double number(const std::string& key) const;  // of `extra`; NaN if it has none such

@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "base/revision.hpp"
 #include "results/analytic.hpp"
+#include "results/known_sand.hpp"
 #include "results/peak.hpp"
 #include "results/screening_summary.hpp"
 #include "scene/scene_hash.hpp"
@@ -77,6 +78,7 @@ io::Summary summarise(const simulation::RunSession& session, const scene::Scene&
     s.scene_hash = hex(scene::scene_hash(scene));
     add_grains(run, s);
     add_history(session, s);
+    if (ground.surrogate) s.surrogate_knows_this_sand = known_sand(ground).known;
     if (scene.anchor.present) {
         add_loads(session, scene, ground, s);
         s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
@@ -128,6 +130,8 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene,
         out += fmt::format("late load {:.1f} kN/m{}", s.late_load / 1000,
                            energy_text(s.kinetic_to_strain_energy_max));
     }
+    if (s.surrogate_knows_this_sand == false && !scene.screening.gate.active)
+        out += fmt::format("warning: {}\n", unknown_sand_text(known_sand(ground), ground));
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");
     if (scene.mode == scene::Mode::screening) out += screening_text(s);

@@ -2,134 +2,121 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <string_view>
 
-#include "scene/element_test_spec.hpp"
-#include "scene/probe_spec.hpp"
-#include "scene/recipe_spec.hpp"
-#include "scene/scene.hpp"
 #include "scene/toml_file.hpp"
-#include "scene/train_spec.hpp"
 
 namespace sandgraph::scene {
 namespace {
 
-constexpr const char* leave_out = "leave it out";
+using enum EffectRule::If;
 
-bool on_command_line(const Key& key) { return key.given && key.where.file == override_file; }
+// Reasons of several rules.
+constexpr const char* no_grains = "no effect: {is}, a formula answers, not grains";
+constexpr const char* to_grains = "leave it out, or write ground.law = \"rve\"";
+constexpr const char* no_yield = "no effect: {is} never yields";
+constexpr const char* to_yield = "leave it out, or write ground.law = \"mohr_coulomb\"";
+constexpr const char* made = "no effect: {is} is a packing made already";
+constexpr const char* to_recipe = "leave it out, or leave out grains.packing to have one made";
+constexpr const char* no_surrogate = "no effect: {is}, grains answer everywhere";
+constexpr const char* to_screening = "leave it out, or run with --mode screening";
+constexpr const char* no_gate = "no effect: {is}, only failed answers are handed over";
+constexpr const char* to_gate = "leave it out, or write gate.active = true";
+constexpr const char* no_audit = "no effect: {is}, nothing is audited";
+constexpr const char* no_log = "no effect: {is}, nothing is logged";
+constexpr const char* to_log = "leave it out, or write output.history = true";
+constexpr const char* no_prediction = "no effect: {is}, nothing is predicted";
+constexpr const char* every_increment = "no effect: here the packing answers every increment";
+constexpr const char* no_paths = "no effect: {is}";
 
-// `ground.law = "rve"`, and whether somebody wrote that.
-std::string standing(const KeyTable& keys, const char* name) {
-    const Key& key = keys.at(name);
-    return fmt::format("{} = {}{}", name, key.value->shown(), key.given ? "" : " by default");
-}
+// A scene may hold what only its screening runs use.
+constexpr auto scene_rules = std::to_array<EffectRule>({
+    {"grains", "ground.law", is, "\"rve\"", no_grains, to_grains},
+    {"rve", "ground.law", is, "\"rve\"", no_grains, to_grains},
+    {"surrogate", "ground.law", is, "\"rve\"", no_grains, to_grains},
+    {"gate", "ground.law", is, "\"rve\"", no_grains, to_grains},
+    {"audit", "ground.law", is, "\"rve\"", no_grains, to_grains},
+    {"continuum", "ground.law", is_not, "\"rve\"", "no effect: {is}, grains answer, whose keys are [grains]",
+     "write grains.friction_angle, grains.young, ... for the contacts, or ground.law = \"mohr_coulomb\""},
+    {"continuum.friction_angle", "ground.law", is_not, "\"elastic\"", no_yield, to_yield},
+    {"continuum.dilation_angle", "ground.law", is_not, "\"elastic\"", no_yield, to_yield},
+    {"continuum.cohesion", "ground.law", is_not, "\"elastic\"", no_yield, to_yield},
+    {"anchor", "anchor.present", is, "true", "no effect: {is}",
+     "leave it out, or write anchor.present = true"},
+    {"mpm.end_time", "anchor.present", is, "false",
+     "no effect: a run with an anchor ends with the pull, at anchor.pull_to",
+     "leave it out, or write anchor.present = false"},
+    {"surrogate", "mode", is, "\"screening\"", no_surrogate, to_screening, true},
+    {"gate", "mode", is, "\"screening\"", no_surrogate, to_screening, true},
+    {"audit", "mode", is, "\"screening\"", no_surrogate, to_screening, true},
+    {"output.history_points", "mode", is, "\"full\"",
+     "no effect: a screening run logs its audited points, audit.share of them", "leave it out", true},
+    {"output.history_points", "output.history", is, "true", no_log, to_log},
+    {"output.history_max", "output.history", is, "true", no_log, to_log},
+    {"gate.strain", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.stress_ratio", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.tension", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.distance", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.spread", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.second_order_work", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.acoustic", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.acoustic_from", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.low", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.flow", "gate.active", is, "true", no_gate, to_gate},
+    {"gate.acoustic_from", "gate.acoustic", is_not, "-1000", "no effect: {is} is off",
+     "leave it out, or write gate.acoustic = 0"},
+    {"audit.seed", "audit.share", is_not, "0", no_audit},
+    {"audit.every", "audit.share", is_not, "0", no_audit},
+    {"surrogate.update_change_max", "surrogate.update_tolerance", is_not, "0", no_prediction},
+    {"rve.update_change_max", "rve.update_tolerance", is_not, "0", no_prediction},
+});
 
-// Rules of single keys of one table with a reason in common.
-EffectRules each(const char* table, std::initializer_list<const char*> names, const EffectRule& common) {
-    EffectRules rules;
-    for (const char* name : names) {
-        rules.push_back(common);
-        rules.back().keys = fmt::format("{}.{}", table, name);
-    }
-    return rules;
-}
+// Of scenes and recipes.
+constexpr auto grain_rules = std::to_array<EffectRule>({
+    {"grains.density", "grains.packing", is, "\"\"", made, to_recipe},
+    {"grains.target_porosity", "grains.packing", is, "\"\"", made, to_recipe},
+    {"grains.count", "grains.packing", is, "\"\"", made, to_recipe},
+    {"grains.radius_min", "grains.packing", is, "\"\"", made, to_recipe},
+    {"grains.radius_max", "grains.packing", is, "\"\"", made, to_recipe},
+    {"grains.consolidation_pressure", "grains.packing", is, "\"\"", made, to_recipe},
+    {"grains.seed", "grains.packing", is, "\"\"", made, to_recipe},
+    {"grains.target_porosity", "grains.density", is, "\"custom\"", "density = {value} sets it",
+     "write density = \"custom\" or leave this key out"},
+});
 
-void append(EffectRules& rules, const EffectRules& more) {
-    rules.insert(rules.end(), more.begin(), more.end());
-}
+constexpr auto element_test_rules = std::to_array<EffectRule>({
+    {"rve", "kind", is, "\"path\"", "no effect: {is} takes steps of time_step"},
+    {"rve", "mode", is, "\"fast\"", "no effect: {is} takes steps of time_step",
+     "leave it out, or write mode = \"fast\""},
+    {"rve.update_tolerance", "", is, "", every_increment},
+    {"rve.update_change_max", "", is, "", every_increment},
+});
 
-// [grains]: a packing file is made already, and a named density is a porosity.
-EffectRules grain_rules(const Grains& grains, const KeyTable& keys) {
-    EffectRules rules = each(
-        "grains",
-        {"density", "target_porosity", "count", "radius_min", "radius_max", "consolidation_pressure", "seed"},
-        {"", grains.packing.empty(), "grains.packing",
-         fmt::format("no effect: {} is a packing made already", standing(keys, "grains.packing")),
-         "leave it out, or leave out grains.packing to have one made"});
-    rules.push_back({"grains.target_porosity", grains.density == "custom", "grains.density",
-                     fmt::format("density = \"{}\" sets it", grains.density),
-                     "write density = \"custom\" or leave this key out"});
-    return rules;
-}
+constexpr auto probe_rules = std::to_array<EffectRule>({
+    {"paths.flow_rows", "paths.flow", is_not, "0", no_paths},
+    {"paths.flow_length", "paths.flow", is_not, "0", no_paths},
+    {"paths.dither_rows", "paths.dither", is_not, "0", no_paths},
+    {"rve.update_tolerance", "", is, "", every_increment},
+    {"rve.update_change_max", "", is, "", every_increment},
+});
 
-EffectRules law_rules(const Scene& s, const KeyTable& keys) {
-    const bool grains = s.ground.law == Law::rve, elastic = s.ground.law == Law::elastic;
-    const std::string law = "ground.law", is = standing(keys, "ground.law");
-    const std::string no_grains = fmt::format("no effect: with {} a formula answers, not grains", is);
-    const std::string to_grains = "leave it out, or write ground.law = \"rve\"";
-    EffectRules rules;
-    for (const char* table : {"grains", "rve", "surrogate", "gate", "audit"})
-        rules.push_back({table, grains, law, no_grains, to_grains});
-    rules.push_back({"continuum", !grains, law,
-                     fmt::format("no effect: with {} grains answer, whose keys are [grains]", is),
-                     "write grains.friction_angle, grains.young, ... for the contacts, or ground.law = "
-                     "\"mohr_coulomb\""});
-    append(rules, each("continuum", {"friction_angle", "dilation_angle", "cohesion"},
-                       {"", !elastic, law, fmt::format("no effect: {} never yields", is),
-                        "leave it out, or write ground.law = \"mohr_coulomb\""}));
-    return rules;
-}
+constexpr auto train_rules = std::to_array<EffectRule>({
+    {"model.start", "model.rung", is, "\"learned\"", "no effect: {is} starts from nothing",
+     "leave it out, or write rung = \"learned\""},
+    {"model.measured_critical", "model.rung", is_not, "\"mlp\"|\"gru\"",
+     "no effect: {is} has no critical state of its own", "leave it out, or write rung = \"learned\""},
+    {"steps.lead_from", "steps.lead_strain", is_not, "0",
+     "no effect: {is}, the measured pressure never leads"},
+});
 
-EffectRules anchor_rules(const Scene& s, const KeyTable& keys) {
-    return {{"anchor", s.anchor.present, "anchor.present",
-             fmt::format("no effect: {}", standing(keys, "anchor.present")),
-             "leave it out, or write anchor.present = true"},
-            {"mpm.end_time", !s.anchor.present, "anchor.present",
-             "no effect: a run with an anchor ends with the pull, at anchor.pull_to",
-             "leave it out, or write anchor.present = false"}};
-}
-
-// A scene is run in both modes, with its [surrogate], [gate] and [audit] in the file.
-EffectRules mode_rules(const Scene& s, const KeyTable& keys) {
-    const bool screening = s.mode == Mode::screening;
-    EffectRules rules;
-    for (const char* table : {"surrogate", "gate", "audit"})
-        rules.push_back({table, screening, "mode",
-                         fmt::format("no effect: {}, grains answer everywhere", standing(keys, "mode")),
-                         "leave it out, or run with --mode screening", true});
-    rules.push_back({"output.history_points", !screening, "mode",
-                     "no effect: a screening run logs its audited points, audit.share of them", leave_out,
-                     true});
-    return rules;
-}
-
-EffectRules screening_rules(const Screening& s, const KeyTable& keys) {
-    EffectRules rules = each(
-        "gate",
-        {"strain", "stress_ratio", "tension", "distance", "spread", "second_order_work", "acoustic",
-         "acoustic_from", "low", "flow"},
-        {"", s.gate.active, "gate.active",
-         fmt::format("no effect: with {} only failed answers are handed over", standing(keys, "gate.active")),
-         "leave it out, or write gate.active = true"});
-    rules.push_back({"gate.acoustic_from", s.gate.acoustic > -1000, "gate.acoustic",
-                     fmt::format("no effect: {} is off", standing(keys, "gate.acoustic")),
-                     "leave it out, or write gate.acoustic = 0"});
-    append(rules, each("audit", {"seed", "every"},
-                       {"", s.audit.share > 0, "audit.share",
-                        fmt::format("no effect: {}, nothing is audited", standing(keys, "audit.share")),
-                        leave_out}));
-    rules.push_back({"surrogate.update_change_max", s.visits.update_tolerance > 0,
-                     "surrogate.update_tolerance",
-                     "no effect: with update_tolerance = 0 nothing is predicted", leave_out});
-    return rules;
-}
-
-EffectRules visit_rules(const graph::RveSettings& rve) {
-    return {{"rve.update_change_max", rve.update_tolerance > 0, "rve.update_tolerance",
-             "no effect: with update_tolerance = 0 nothing is predicted", leave_out}};
-}
-
-EffectRules history_rules(const Output& o, const KeyTable& keys) {
-    return each("output", {"history_points", "history_max"},
-                {"", o.history, "output.history",
-                 fmt::format("no effect: {}, nothing is logged", standing(keys, "output.history")),
-                 "leave it out, or write output.history = true"});
-}
-
-// Element tests and probes visit their packing at each increment.
-EffectRules no_visits() {
-    return each("rve", {"update_tolerance", "update_change_max"},
-                {"", false, "", "no effect: here the packing answers every increment", leave_out});
+std::span<const EffectRule> rules_of_scene() {
+    static const auto all = [] {
+        std::vector<EffectRule> rules(scene_rules.begin(), scene_rules.end());
+        rules.insert(rules.end(), grain_rules.begin(), grain_rules.end());
+        return rules;
+    }();
+    return all;
 }
 
 bool speaks_of(const EffectRule& rule, const Key& key) {
@@ -137,77 +124,69 @@ bool speaks_of(const EffectRule& rule, const Key& key) {
     return (rule.keys == name || rule.keys == key.section) && name != rule.decided_by;
 }
 
-// By an override, so that what stands in the file is not to blame.
-bool switched(const EffectRule& rule, const KeyTable& keys) {
-    return !rule.decided_by.empty() && on_command_line(keys.at(rule.decided_by));
+bool holds(std::string_view values, std::string_view value) {
+    for (std::size_t from = 0; from <= values.size();) {
+        const std::size_t to = std::min(values.find('|', from), values.size());
+        if (values.substr(from, to - from) == value) return true;
+        from = to + 1;
+    }
+    return false;
+}
+
+const Key* decider(const EffectRule& rule, const KeyTable& keys) {
+    return *rule.decided_by ? &keys.at(rule.decided_by) : nullptr;
+}
+
+bool effective(const EffectRule& rule, const KeyTable& keys) {
+    const Key* key = decider(rule, keys);
+    return key && holds(rule.values, key->value->canonical()) == (rule.when == is);
+}
+
+bool on_command_line(const Key* key) { return key && key->given && key->where.file == override_file; }
+
+// The file is not to blame for what an override did, nor for what it holds for other runs.
+bool excused(const EffectRule& rule, const KeyTable& keys, const Key& key) {
+    return !on_command_line(&key) && (rule.may_stand || on_command_line(decider(rule, keys)));
+}
+
+std::string why(const EffectRule& rule, const KeyTable& keys) {
+    const Key* key = decider(rule, keys);
+    if (!key) return rule.why;
+    const std::string value = key->value->shown();
+    const std::string is = fmt::format("{} = {}{}", key->full_name(), value, key->given ? "" : " by default");
+    return fmt::format(fmt::runtime(rule.why), fmt::arg("is", is), fmt::arg("value", value));
 }
 
 }  // namespace
 
-EffectRules effect_rules(const Scene& s, const KeyTable& keys) {
-    EffectRules rules = law_rules(s, keys);
-    append(rules, anchor_rules(s, keys));
-    append(rules, grain_rules(s.ground.grains, keys));
-    append(rules, mode_rules(s, keys));
-    append(rules, screening_rules(s.screening, keys));
-    append(rules, visit_rules(s.ground.rve));
-    append(rules, history_rules(s.output, keys));
-    return rules;
+std::span<const EffectRule> effect_rules(FileKind kind) {
+    switch (kind) {
+        case FileKind::scene:
+            return rules_of_scene();
+        case FileKind::recipe:
+            return grain_rules;
+        case FileKind::element_test:
+            return element_test_rules;
+        case FileKind::probe:
+            return probe_rules;
+        case FileKind::train:
+            break;
+    }
+    return train_rules;
 }
 
-EffectRules effect_rules(const RecipeSpec& recipe, const KeyTable& keys) {
-    return grain_rules(recipe.grains, keys);
+const EffectRule* idle_by(const KeyTable& keys, const Key& key, FileKind kind) {
+    for (const EffectRule& rule : effect_rules(kind))
+        if (speaks_of(rule, key) && !effective(rule, keys)) return &rule;
+    return nullptr;
 }
 
-EffectRules effect_rules(const ElementTestSpec& test, const KeyTable& keys) {
-    EffectRules rules{{"rve", test.kind == TestKind::path && test.mode == dem::Kernel::fast, "mode",
-                       test.kind == TestKind::path
-                           ? fmt::format("no effect: {} takes the steps it is told", standing(keys, "mode"))
-                           : fmt::format("no effect: {} takes steps of time_step", standing(keys, "kind")),
-                       "leave it out, or write kind = \"path\" and mode = \"fast\""}};
-    append(rules, no_visits());
-    return rules;
-}
-
-EffectRules effect_rules(const ProbeSpec& probe, const KeyTable& keys) {
-    const ProbePaths& p = probe.paths;
-    EffectRules rules = each("paths", {"flow_rows", "flow_length"},
-                             {"", p.flow > 0, "paths.flow",
-                              fmt::format("no effect: {}", standing(keys, "paths.flow")), leave_out});
-    rules.push_back({"paths.dither_rows", p.dither > 0, "paths.dither",
-                     fmt::format("no effect: {}", standing(keys, "paths.dither")), leave_out});
-    append(rules, no_visits());
-    return rules;
-}
-
-EffectRules effect_rules(const TrainSpec& t, const KeyTable& keys) {
-    const std::string rung = standing(keys, "model.rung");
-    const bool elements = t.rung != TrainRung::mlp && t.rung != TrainRung::gru;
-    return {
-        {"model.start", t.rung == TrainRung::learned, "model.rung",
-         fmt::format("no effect: {} starts from nothing", rung), "leave it out, or write rung = \"learned\""},
-        {"model.measured_critical", elements, "model.rung",
-         fmt::format("no effect: {} has no critical state of its own", rung),
-         "leave it out, or write rung = \"learned\""},
-        {"steps.lead_from", t.steps.lead_strain > 0, "steps.lead_strain",
-         fmt::format("no effect: {}, the measured pressure never leads", standing(keys, "steps.lead_strain")),
-         leave_out}};
-}
-
-const EffectRule* idle_by(const EffectRules& rules, const Key& key) {
-    const auto found = std::ranges::find_if(
-        rules, [&key](const EffectRule& rule) { return !rule.effective && speaks_of(rule, key); });
-    return found == rules.end() ? nullptr : &*found;
-}
-
-void check_effects(const KeyTable& keys, const EffectRules& rules) {
+void check_effects(const KeyTable& keys, FileKind kind) {
     for (const Key& key : keys.keys())
-        for (const EffectRule& rule : rules) {
-            if (!key.given || rule.effective || !speaks_of(rule, key)) continue;
-            if ((rule.may_stand || switched(rule, keys)) && !on_command_line(key)) continue;
-            throw InputError(key.where, fmt::format("{} = {}", key.full_name(), key.value->shown()), rule.why,
-                             rule.advice);
-        }
+        for (const EffectRule& rule : effect_rules(kind))
+            if (key.given && speaks_of(rule, key) && !effective(rule, keys) && !excused(rule, keys, key))
+                throw InputError(key.where, fmt::format("{} = {}", key.full_name(), key.value->shown()),
+                                 why(rule, keys), rule.advice);
 }
 
 }  // namespace sandgraph::scene

@@ -1,7 +1,8 @@
 #pragma once
+#include <span>
 #include <string>
-#include <vector>
 
+#include "scene/file_kind.hpp"
 #include "scene/key_table.hpp"
 
 // A key that can have no effect is refused, not ignored: whoever writes it believes that it does something.
@@ -13,34 +14,26 @@
 //   run anchor.toml --set continuum.young="20 MPa"    refused: the law is "rve"
 namespace sandgraph::scene {
 
-struct Scene;
-struct RecipeSpec;
-struct ElementTestSpec;
-struct ProbeSpec;
-struct TrainSpec;
-
 // When the keys of a table, or a single key, have an effect.
 struct EffectRule {
-    std::string keys;        // "continuum", all of the table, or "continuum.cohesion"
-    bool effective;          // as things stand
-    std::string decided_by;  // the key that decides it, itself free of the rule; "": nothing that is written
-    std::string why;         // they have none
-    std::string advice;      // what to write instead
-    bool may_stand = false;  // in a file, which is run in both modes
+    const char* keys;        // "continuum", all of the table, or one key, "continuum.cohesion"
+    const char* decided_by;  // the key that decides, itself free of the rule; "": they never have one
+    enum class If : std::uint8_t { is, is_not } when;
+    const char* values;  // of that key, as files have them, parted by '|'
+    // What says why they have none, and what to write instead. {is}: the deciding key with its value and
+    // whether that is the default, {value}: the value alone.
+    const char* why;
+    const char* advice = "leave it out";
+    bool may_stand = false;  // in a file, which is run either way
 };
-using EffectRules = std::vector<EffectRule>;
 
-// The rules of each kind of file, for what has been read into `keys` and its struct.
-EffectRules effect_rules(const Scene& scene, const KeyTable& keys);
-EffectRules effect_rules(const RecipeSpec& recipe, const KeyTable& keys);
-EffectRules effect_rules(const ElementTestSpec& test, const KeyTable& keys);
-EffectRules effect_rules(const ProbeSpec& probe, const KeyTable& keys);
-EffectRules effect_rules(const TrainSpec& train, const KeyTable& keys);
+// The rules of a kind of file.
+std::span<const EffectRule> effect_rules(FileKind kind);
 
-// The first rule by which `key` has no effect, or null.
-const EffectRule* idle_by(const EffectRules& rules, const Key& key);
+// The first rule by which `key` of `keys` has no effect as things stand, or null.
+const EffectRule* idle_by(const KeyTable& keys, const Key& key, FileKind kind);
 
 // Throws InputError at the first given key that has no effect, unless it may stand (see above).
-void check_effects(const KeyTable& keys, const EffectRules& rules);
+void check_effects(const KeyTable& keys, FileKind kind);
 
 }  // namespace sandgraph::scene

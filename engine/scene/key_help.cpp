@@ -4,12 +4,12 @@
 
 namespace sandgraph::scene {
 
-std::string key_help(const KeyTable& table, const EffectRules& rules) {
+std::string key_help(const KeyTable& table, FileKind kind) {
     std::string text, section;
     for (const Key& key : table.keys()) {
         if (key.section != section) text += fmt::format("\n[{}]\n", section = key.section);
         const std::string shown = key.value->shown(), allowed = key.value->allowed();
-        const EffectRule* idle = idle_by(rules, key);
+        const EffectRule* idle = idle_by(table, key, kind);
         const char* mark = idle && !idle->may_stand ? "# " : "";
         text += fmt::format("{:<44} # {}{}\n", fmt::format("{}{} = {}", mark, key.name, shown), key.meaning,
                             allowed.empty() ? "" : " (" + allowed + ")");

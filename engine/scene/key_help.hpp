@@ -9,6 +9,6 @@ namespace sandgraph::scene {
 // Every key with its default, allowed values and meaning, table by table, as TOML that can be copied; behind
 // a
 // '#' what would have no effect beside the other defaults.
-std::string key_help(const KeyTable& keys, const EffectRules& rules);
+std::string key_help(const KeyTable& keys, FileKind kind);
 
 }  // namespace sandgraph::scene

@@ -77,7 +77,7 @@ ProbeSpec read_probe(const std::string& file) {
     const toml::table table = parse_toml(probe.text, file);
     require_kind(table, file, FileKind::probe);
     keys.read(table, file);
-    check_effects(keys, effect_rules(probe, keys));
+    check_effects(keys, FileKind::probe);
     check_disks(keys, probe.grains);
     const ProbePaths& p = probe.paths;
     in_order(keys, "packings.pressure_min", "packings.pressure_max",

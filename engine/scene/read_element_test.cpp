@@ -74,7 +74,7 @@ ElementTestSpec read_element_test(const std::string& file, const dem::Material& 
     spec.kind = read_kind(table, file);
     KeyTable keys = element_test_keys(spec);
     keys.read(table, file);
-    check_effects(keys, effect_rules(spec, keys));
+    check_effects(keys, FileKind::element_test);
     if (spec.kind == TestKind::path) need_one_source(keys, file);
     visit_test(spec, [&](const auto& test) { check_rates(keys, test, file); });
     return spec;

@@ -29,9 +29,9 @@ void place_anchor(const KeyTable& keys, Scene& scene) {
 }
 
 // A key that lost its effect by an override would be refused in the text that a run keeps.
-void drop_idle(toml::table& table, const KeyTable& keys, const EffectRules& rules) {
+void drop_idle(toml::table& table, const KeyTable& keys) {
     for (const Key& key : keys.keys()) {
-        const EffectRule* rule = key.given ? idle_by(rules, key) : nullptr;
+        const EffectRule* rule = key.given ? idle_by(keys, key, FileKind::scene) : nullptr;
         if (rule && !rule->may_stand) table[key.section].as_table()->erase(key.name);
     }
 }
@@ -49,9 +49,8 @@ Scene parse(const std::string& text, const std::string& file, std::span<const st
         keys.read(extra, override_file);
         merge(table, extra);
     }
-    const EffectRules rules = effect_rules(scene, keys);
-    if (files == NamedFiles::exist) check_effects(keys, rules);  // what is over has done what it has done
-    if (!overrides.empty()) drop_idle(table, keys, rules);
+    if (files == NamedFiles::exist) check_effects(keys, FileKind::scene);  // what is over, is
+    if (!overrides.empty()) drop_idle(table, keys);
     scene.text = overrides.empty() ? text : to_text(table);
     scene.given = keys.given();
     complete_grains(keys, scene.ground.grains);

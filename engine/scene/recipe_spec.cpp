@@ -22,7 +22,7 @@ RecipeSpec read_recipe(const std::string& file) {
     const toml::table table = parse_toml(recipe.text, file);
     require_kind(table, file, FileKind::recipe);
     keys.read(table, file);
-    check_effects(keys, effect_rules(recipe, keys));
+    check_effects(keys, FileKind::recipe);
     recipe.given = keys.given();
     complete_grains(keys, recipe.grains);
     return recipe;

@@ -105,7 +105,7 @@ TrainSpec read_train(const std::string& file) {
     const toml::table table = parse_toml(spec.text, file);
     require_kind(table, file, FileKind::train);
     keys.read(table, file);
-    check_effects(keys, effect_rules(spec, keys));
+    check_effects(keys, FileKind::train);
     if (spec.probe.empty() && spec.logs.empty())
         throw InputError({file, 0}, "nothing to train on", "there are neither logs nor a probe recipe",
                          "write logs = [\"FILE.h5\"] or probe = \"FILE.toml\" under [data]");

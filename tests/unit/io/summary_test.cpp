@@ -42,6 +42,15 @@ TEST(Summary, HasTheKeysScriptsRelyOnInTheirOrder) {
     for (const char* key : {"points", "stress_error_mean", "ci95"}) EXPECT_TRUE(json["audit"].contains(key));
 }
 
+TEST(Summary, TellsOfASurrogateOnlyWhereThereIsOne) {
+    const Scratch folder;
+    Summary s;
+    EXPECT_EQ(to_json(s).find("surrogate_knows"), std::string::npos);
+    s.surrogate_knows_this_sand = false;
+    write_summary(folder / "summary.json", s);
+    EXPECT_EQ(read_summary(folder / "summary.json").surrogate_knows_this_sand, false);
+}
+
 TEST(Summary, ReadsBackTheSameAndNullForUnknown) {
     const Scratch folder;
     Summary s;

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "scene/element_test_keys.hpp"
+#include "scene/probe_spec.hpp"
+#include "scene/recipe_spec.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/train_spec.hpp"
 #include "support/paths.hpp"
 #include "tests/unit/scene/refused.hpp"
 
@@ -103,15 +107,38 @@ TEST(ShippedScene, RunsUnderEveryLawAndInBothModes) {
 }
 
 // A rule of a key that is called otherwise by now would never speak.
-TEST(EffectRules, NameKeysThatExist) {
-    Scene scene;
-    const KeyTable keys = scene_keys(scene);
-    for (const EffectRule& rule : effect_rules(scene, keys)) {
+void expect_known(const KeyTable& keys, FileKind kind) {
+    EXPECT_FALSE(effect_rules(kind).empty());
+    for (const EffectRule& rule : effect_rules(kind)) {
         const auto named = [&rule](const Key& key) {
             return rule.keys == key.section || rule.keys == key.full_name();
         };
         EXPECT_TRUE(std::ranges::any_of(keys.keys(), named)) << rule.keys;
-        EXPECT_NO_THROW(keys.at(rule.decided_by)) << rule.decided_by;
+        if (*rule.decided_by) EXPECT_NO_THROW(keys.at(rule.decided_by)) << rule.decided_by;
+    }
+}
+
+TEST(EffectRules, NameKeysThatExist) {
+    Scene scene;
+    expect_known(scene_keys(scene), FileKind::scene);
+    RecipeSpec recipe;
+    expect_known(recipe_keys(recipe), FileKind::recipe);
+    ElementTestSpec test;
+    expect_known(element_test_keys(test), FileKind::element_test);
+    ProbeSpec probe;
+    expect_known(probe_keys(probe), FileKind::probe);
+    TrainSpec train;
+    expect_known(train_keys(train), FileKind::train);
+}
+
+// Each rule speaks of its keys under some value of the key that decides.
+TEST(EffectRules, OfChoicesHaveValuesThatExist) {
+    Scene scene;
+    const KeyTable keys = scene_keys(scene);
+    for (const EffectRule& rule : effect_rules(FileKind::scene)) {
+        const std::string allowed = keys.at(rule.decided_by).value->allowed(), values = rule.values;
+        if (allowed.starts_with('"')) EXPECT_NE(allowed.find(values), std::string::npos) << rule.keys;
+        if (allowed == "true or false") EXPECT_NE(allowed.find(values), std::string::npos) << rule.keys;
     }
 }
 

@@ -83,7 +83,7 @@ TEST(SceneKeys, SyntaxErrorsKeepTheirLine) {
 TEST(SceneKeys, HelpNamesEveryKeyAndReadsBackAsDefaults) {
     Scene scene;
     const KeyTable keys = scene_keys(scene);
-    const std::string help = key_help(keys, effect_rules(scene, keys));
+    const std::string help = key_help(keys, FileKind::scene);
     EXPECT_NE(help.find("embedment_ratio = 3"), std::string::npos);
     EXPECT_NE(help.find("pull_rate = \"0.05 m/s\""), std::string::npos);
     std::string text = help;
