@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/console.hpp"
+#include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/revision.hpp"
 #include "base/text.hpp"
@@ -45,6 +47,20 @@ bool is_of(const fs::path& folder, const std::string& hash, int threads) {
     return info.scene_hash == hash && info.git == revision() && info.threads == threads;
 }
 
+// What the study itself varies cannot be given for all its runs.
+void refuse_varied(const ParetoRequest& request) {
+    const auto has_flow = [](const std::string& threshold) {
+        return threshold.find(':') != std::string::npos;
+    };
+    const bool flow = std::ranges::any_of(request.thresholds, has_flow);
+    for (const std::string& assignment : request.run.set) {
+        const std::string_view key = trimmed(std::string_view(assignment).substr(0, assignment.find('=')));
+        if (key == "mode" || key == "gate.active" || key == "gate.strain" || (flow && key == "gate.flow"))
+            throw InputError({"--set", 0}, assignment, "the study varies it from run to run",
+                             "leave it out; --thresholds are the values of gate.strain and gate.flow");
+    }
+}
+
 // A study's settings of the surrogate are for the runs that have one, those of the gate for those with a
 // gate.
 void drop_idle(std::vector<std::string>& set, const Plan& plan) {
@@ -83,6 +99,7 @@ std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan
 }  // namespace
 
 std::optional<std::vector<ParetoRow>> pareto_study(const ParetoRequest& request) {
+    refuse_varied(request);
     for (const Plan& plan : plans(request))
         simulation::scene_of(run_request(request, plan));  // refused before any runs
     std::vector<ParetoRow> rows;

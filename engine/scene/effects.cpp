@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -175,10 +176,10 @@ std::span<const EffectRule> effect_rules(FileKind kind) {
     return train_rules;
 }
 
-const EffectRule* idle_by(const KeyTable& keys, const Key& key, FileKind kind) {
-    for (const EffectRule& rule : effect_rules(kind))
-        if (speaks_of(rule, key) && !effective(rule, keys)) return &rule;
-    return nullptr;
+bool is_idle(const KeyTable& keys, const Key& key, FileKind kind) {
+    return std::ranges::any_of(effect_rules(kind), [&](const EffectRule& rule) {
+        return !rule.may_stand && speaks_of(rule, key) && !effective(rule, keys);
+    });
 }
 
 void check_effects(const KeyTable& keys, FileKind kind) {

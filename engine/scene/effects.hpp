@@ -30,8 +30,8 @@ struct EffectRule {
 // The rules of a kind of file.
 std::span<const EffectRule> effect_rules(FileKind kind);
 
-// The first rule by which `key` of `keys` has no effect as things stand, or null.
-const EffectRule* idle_by(const KeyTable& keys, const Key& key, FileKind kind);
+// Has `key` of `keys` no effect as things stand, in whatever mode the file is run?
+bool is_idle(const KeyTable& keys, const Key& key, FileKind kind);
 
 // Throws InputError at the first given key that has no effect, unless it may stand (see above).
 void check_effects(const KeyTable& keys, FileKind kind);

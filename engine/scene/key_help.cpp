@@ -9,8 +9,7 @@ std::string key_help(const KeyTable& table, FileKind kind) {
     for (const Key& key : table.keys()) {
         if (key.section != section) text += fmt::format("\n[{}]\n", section = key.section);
         const std::string shown = key.value->shown(), allowed = key.value->allowed();
-        const EffectRule* idle = idle_by(table, key, kind);
-        const char* mark = idle && !idle->may_stand ? "# " : "";
+        const char* mark = is_idle(table, key, kind) ? "# " : "";
         text += fmt::format("{:<44} # {}{}\n", fmt::format("{}{} = {}", mark, key.name, shown), key.meaning,
                             allowed.empty() ? "" : " (" + allowed + ")");
     }

@@ -30,10 +30,8 @@ void place_anchor(const KeyTable& keys, Scene& scene) {
 
 // A key that lost its effect by an override would be refused in the text that a run keeps.
 void drop_idle(toml::table& table, const KeyTable& keys) {
-    for (const Key& key : keys.keys()) {
-        const EffectRule* rule = key.given ? idle_by(keys, key, FileKind::scene) : nullptr;
-        if (rule && !rule->may_stand) table[key.section].as_table()->erase(key.name);
-    }
+    for (const Key& key : keys.keys())
+        if (key.given && is_idle(keys, key, FileKind::scene)) table[key.section].as_table()->erase(key.name);
 }
 
 Scene parse(const std::string& text, const std::string& file, std::span<const std::string> overrides,

@@ -40,7 +40,8 @@ std::string read_text(const std::string& file) {
 }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
-    if (text.starts_with("\x89HDF"))
+    constexpr std::string_view signature = "\x89HDF\r\n";  // behind a seal in models and checkpoints
+    if (std::string_view(text).substr(0, 4096).find(signature) != std::string_view::npos)
         throw InputError({file, 0}, "not valid TOML", "it is an HDF5 file: a packing, run, log or model",
                          "`sandgraph info` tells what is in it; give a TOML file here");
     try {

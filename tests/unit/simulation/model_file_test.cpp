@@ -20,9 +20,10 @@ fs::path put(const Scratch& checkout, const std::string& folder) {
     return (checkout / folder / kName).lexically_normal();
 }
 
-fs::path found(const Scratch& checkout, const std::string& set = "mode=screening") {
+fs::path found(const Scratch& checkout, std::vector<std::string> set = {}) {
     const std::string scene = (checkout / "study/deep/scene.toml").string();
-    return model_file(scene::parse_scene("", scene, std::vector{set})).lexically_normal();
+    set.emplace_back("mode=screening");
+    return model_file(scene::parse_scene("", scene, set)).lexically_normal();
 }
 
 TEST(ModelFile, IsTheNearestAboveTheScene) {
@@ -37,7 +38,7 @@ TEST(ModelFile, IsTheScenesOwnIfItNamesOne) {
     const Scratch checkout;
     put(checkout, "configs/models");
     const fs::path own = put(checkout, "mine");
-    EXPECT_EQ(found(checkout, "surrogate.model=" + own.string()), own);
+    EXPECT_EQ(found(checkout, {"surrogate.model=" + own.string()}), own);
 }
 
 // A scene far from any checkout: the model that came with the program.
