@@ -47,8 +47,9 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
 
 void run(const Options& options) {
     const scene::TrainSpec spec = scene::read_train(options.recipe);
+    require_extension(options.out, ".h5");
     const fs::path program = trainer();
-    require_extension(options.out, ".h5"), io::require_writable_file(options.out);
+    io::require_writable_file(options.out);
     if (!options.evaluate.empty()) surrogate::load_surrogate(options.evaluate);  // refused before the probes
     const std::string probes = probe_log(spec, options.out.empty() ? options.evaluate : options.out);
     std::vector<std::string> arguments{program.string(), options.recipe};

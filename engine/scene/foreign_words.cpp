@@ -148,6 +148,7 @@ constexpr Entry entries[] = {
      "give --threads N on the command line"},
     {"*", "resume restart checkpoint", "it is a flag", "give --resume on the command line"},
     {"*", "dimension dimensions axisymmetric 3d planestrain", "not supported: plane strain only", leave_out},
+    {"*", "regions probes gauges", "it goes by another name", "write [[region]] tables"},
     {"*", "include import base extends", "not supported: a scene is one file", "give what changes by --set"},
 };
 

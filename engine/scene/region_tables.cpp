@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "scene/key_table.hpp"
+#include "scene/toml_file.hpp"
 
 namespace sandgraph::scene {
 namespace {
@@ -55,7 +56,7 @@ bool names_a_file(const std::string& name) {
 class RegionReader {
   public:
     RegionReader(const toml::table& table, const std::string& file)
-        : where_{file, static_cast<int>(table.source().begin.line)} {
+        : where_{file, file == override_file ? 0 : static_cast<int>(table.source().begin.line)} {
         auto top = keys_.section("");
         top.text("name", region_.name, "");
         top.add("x", std::make_unique<PlaceValue>(x_), "");
