@@ -5,6 +5,7 @@
 
 #include "app/command_rve.hpp"
 #include "dem/fast/kernel.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/make_assembly.hpp"
 #include "packings/base_packing.hpp"
 
@@ -17,8 +18,6 @@ struct Options {
     bool reference = false, growth = false;
     std::string target;
 };
-
-constexpr double time_step = 1e-5;  // [s]
 
 Mat2 simple_shear(double rate) { return (Mat2() << 0, rate, 0, 0).finished(); }
 
@@ -41,7 +40,9 @@ io::PackingRecord packing_of(const Options& options) {
 std::pair<double, int> measure(const Options& options, const io::PackingRecord& record, int steps) {
     const auto kernel = options.reference ? dem::Kernel::reference : dem::Kernel::fast;
     const auto assembly = dem::make_assembly(kernel, record.packing, record.material);
-    const Mat2 L = simple_shear(0.4);
+    const dem::GrainScale grains = dem::grain_scale(record.packing, record.material);
+    const double time_step = grains.time_step;
+    const Mat2 L = simple_shear(0.4 / grains.slowness);
     assembly->step(L, time_step, std::max(1, steps / 10));  // caches and contacts warm
     const double start = seconds();
     assembly->step(L, time_step, steps);

@@ -19,9 +19,4 @@ double critical_time_step(const Material& m, std::span<const double> radii) {
     return 2 / std::sqrt(contacts * std::max(moves, turns));
 }
 
-double preparation_time_step(const Material& material, std::span<const double> radii) {
-    constexpr double share = 0.4;  // the usual step is 0.39 of the limit of Table 1 grains
-    return std::min(usual_time_step, share * critical_time_step(material, radii));
-}
-
 }  // namespace sandgraph::dem

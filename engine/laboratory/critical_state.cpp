@@ -12,7 +12,6 @@
 namespace sandgraph::laboratory {
 namespace {
 
-constexpr double kDiameter = 0.01, kDensity = 2650;  // of the mean grain [m], [kg/m3]
 constexpr const char* kStage = "packings and shear tests";
 
 std::vector<CriticalTest> planned(const CriticalPlan& plan) {
@@ -26,13 +25,15 @@ std::vector<CriticalTest> planned(const CriticalPlan& plan) {
 
 void shear(CriticalTest& test, const dem::Packing& packing, const CriticalPlan& plan) {
     const dem::Material material;
-    const double rate = plan.inertial_number * std::sqrt(test.pressure / kDensity) / kDiameter;
+    const dem::Recipe grains;  // its mean diameter: the same rate for all packings
+    const double diameter = grains.radius_min + grains.radius_max;
+    const double rate = plan.inertial_number * std::sqrt(test.pressure / material.density) / diameter;
     const dem::ShearTest shear{.mean_stress = test.pressure,
                                .shear_rate = rate,
                                .shear_strain = plan.strain,
-                               .strain_every = plan.sample_strain};
+                               .strain_every = plan.strain_every};
     test.rows = dem::run_shear(*dem::fast_assemblies()(packing, material), shear,
-                               dem::typical_modulus(packing, material));
+                               dem::grain_scale(packing, material));
 }
 
 template <class Figure>

@@ -18,7 +18,7 @@ struct CriticalPlan {
     int grains = 400;
     double strain = 10;             // gamma at the end
     double inertial_number = 2e-3;  // sets the rate
-    double sample_strain = 0.005;   // between rows
+    double strain_every = 0.005;    // between rows
 };
 
 struct CriticalTest {

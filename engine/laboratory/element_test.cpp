@@ -60,7 +60,8 @@ void check_time_step(const scene::ElementTestSpec& spec, const dem::Packing& pac
     if (time_step <= limit) return;
     throw InputError({"element test", 0}, fmt::format("time_step = {:g} s", time_step),
                      fmt::format("contacts of this packing vibrate apart above {:.2g} s", limit),
-                     "write a shorter one, 1e-5 s for the usual grains");
+                     fmt::format("write a shorter one, {:.2g} s, or leave the key out",
+                                 dem::grain_scale(packing, spec.material).time_step));
 }
 
 }  // namespace
@@ -69,13 +70,13 @@ ElementOutcome run_element_test(const scene::ElementTestSpec& spec, const dem::P
                                 const std::string& metadata) {
     check_time_step(spec, packing);
     if (spec.kind == scene::TestKind::path) return outcome(run_path(spec, packing), metadata);
-    const double modulus = dem::typical_modulus(packing, spec.material);
+    const dem::GrainScale grains = dem::grain_scale(packing, spec.material);
     const auto sample = dem::make_assembly(spec.mode, packing, spec.material);
     if (spec.kind == scene::TestKind::biaxial)
-        return outcome(dem::run_biaxial(*sample, spec.biaxial, modulus), metadata);
+        return outcome(dem::run_biaxial(*sample, spec.biaxial, grains), metadata);
     if (spec.kind == scene::TestKind::simple_shear)
-        return outcome(dem::run_shear(*sample, spec.shear, modulus), metadata);
-    return outcome(dem::run_isotropic(*sample, spec.isotropic, modulus), metadata);
+        return outcome(dem::run_shear(*sample, spec.shear, grains), metadata);
+    return outcome(dem::run_isotropic(*sample, spec.isotropic, grains), metadata);
 }
 
 }  // namespace sandgraph::laboratory

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kLoose = 20;  // updates below kLeast after which a history ends, or a share of its updates
 constexpr int kLooseShare = 20;
-constexpr double kLeast = 50;  // mean stress that is hardly any [Pa]
-constexpr int kCut = 10;       // increments of a finer twin for one, and of the original for one of a coarser
+constexpr double kLeast = 5;  // mean stress that is hardly any, times that of a packing which floats
+constexpr int kCut = 10;      // increments of a finer twin for one, and of the original for one of a coarser
 
 // The packing of one history, and what it went through.
 class Specimen {
@@ -37,7 +37,7 @@ class Specimen {
         io::HistoryRow row = packings::history_row(update);
         row.history = history_, row.sequence = static_cast<std::int32_t>(rows_.size());
         row.dt = update.report.dem_steps * options_.time_step;
-        loose_ = row.p < kLeast ? loose_ + 1 : 0;
+        loose_ = row.p < kLeast * options_.float_pressure ? loose_ + 1 : 0;
         lost_ = row.status > io::HistoryStatus::floating;
         rows_.push_back(row);
     }

@@ -16,7 +16,7 @@ std::vector<dem::BiaxialRow> biaxial(const dem::Packing& packing, double pressur
     dem::BiaxialTest test = plan.test;
     test.confining_pressure = pressure;
     return dem::run_biaxial(*dem::fast_assemblies()(packing, material), test,
-                            dem::typical_modulus(packing, material));
+                            dem::grain_scale(packing, material));
 }
 
 void test_one(Specimen& specimen, const LaboratoryPlan& plan, Tally& tally) {

@@ -1,5 +1,7 @@
 #include "packings/base_packing.hpp"
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 #include "base/file_name.hpp"
 #include "dem/make_assembly.hpp"
@@ -10,12 +12,26 @@
 
 namespace sandgraph::packings {
 
-io::PackingRecord load_packing(const std::string& file) {
+namespace {
+
+io::PackingRecord read_any(const std::string& file) {
     const std::string kind = extension_of(file);
     if (kind == ".csv") return {.packing = dem::read_packing_csv(file), .material = {}, .recipe = {}};
     if (kind == ".h5") return io::read_packing(file);
     throw InputError({file, 0}, "unknown kind of packing file", "its name must tell the format",
                      "give a .csv or .h5 file");
+}
+
+}  // namespace
+
+io::PackingRecord load_packing(const std::string& file) {
+    io::PackingRecord record = read_any(file);
+    const std::size_t grains = record.packing.size();
+    if (grains < dem::fewest_grains)
+        throw InputError({file, 0}, fmt::format("{} grain{}", grains, grains == 1 ? "" : "s"),
+                         fmt::format("fewer than {} are no sample of sand", dem::fewest_grains),
+                         "give a packing of some hundred");
+    return record;
 }
 
 bool has_material(const std::string& file) { return extension_of(file) == ".h5"; }

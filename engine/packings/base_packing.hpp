@@ -9,7 +9,8 @@
 // Base packings: what all packings of a ground or a laboratory are compressed from.
 namespace sandgraph::packings {
 
-// A packing from `file` (.csv or .h5). A CSV knows no material: Table 1's stands. Throws InputError.
+// A packing from `file` (.csv or .h5). A CSV knows no material: Table 1's stands. Throws InputError,
+// also for fewer grains than dem::fewest_grains.
 io::PackingRecord load_packing(const std::string& file);
 
 // Does this packing file know its material? An .h5 does.

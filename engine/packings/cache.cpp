@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Part of every name: raise it when preparation changes what it makes.
-constexpr const char* kGeneration = "preparation 3";
+constexpr const char* kGeneration = "preparation 4";
 
 // What the kernel of this program on this machine makes of a small gas under fast compression, bit for bit. A
 // packing made with other rounding (another version, another instruction set) is another packing.

@@ -13,13 +13,12 @@ namespace {
 
 double run_tests(const dem::Packing& packing, const dem::Material& material) {
     std::array<dem::PeakFriction, dem::confining_pressures.size()> peaks;
-    const double modulus = dem::typical_modulus(packing, material);
+    const dem::GrainScale grains = dem::grain_scale(packing, material);
     tbb::parallel_for(std::size_t{0}, peaks.size(), [&](std::size_t k) {
         const auto sample = dem::fast_assemblies()(packing, material);
-        const dem::BiaxialTest test{.confining_pressure = dem::confining_pressures[k],
-                                    .axial_strain = dem::peak_strain,
-                                    .time_step = dem::preparation_time_step(material, packing.r)};
-        peaks[k] = dem::peak_friction(dem::run_biaxial(*sample, test, modulus));
+        const dem::BiaxialTest test{.confining_pressure = dem::confining_pressures[k] * grains.stiffness,
+                                    .axial_strain = dem::peak_strain};
+        peaks[k] = dem::peak_friction(dem::run_biaxial(*sample, test, grains));
     });
     return dem::friction_angle(peaks);
 }

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/console.hpp"
@@ -47,6 +48,9 @@ PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback&
     // cent with depth, and a uniform one keeps rows and weight in exact equilibrium.
     const double guess = grains.material.density * (1 - dem::porosity(packings.base_packing()));
     const std::vector<double> first = in_situ(scene, guess);
+    // The first row is the deepest or the last is: no order is taken for granted.
+    dem::check_bearable(*std::ranges::max_element(first),
+                        dem::grain_scale(packings.base_packing(), grains.material));
     const double porosity = dem::porosity(packings.at(first[first.size() / 2]));
     ground.density = grains.material.density * (1 - porosity);
     ground.row_pressure = in_situ(scene, ground.density);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "scene/grain_keys.hpp"
 
 namespace sandgraph::scene {
 namespace {
@@ -26,6 +27,15 @@ class Checks {
     void grid() const {
         whole_cells("domain.width", domain_.width);
         whole_cells("domain.depth", domain_.depth);
+    }
+    // At the base, by the porosity that the recipe aims at.
+    void borne() const {
+        if (ground_.law != Law::rve) return;
+        const Grains& grains = ground_.grains;
+        const double density = grains.material.density * (1 - grains.target_porosity);
+        const double weight = density * ground_.gravity * domain_.depth;
+        const Key& key = keys_.at(ground_.surcharge > 0 ? "ground.surcharge" : "domain.depth");
+        check_pressure(key, ground_.surcharge + weight, grains);
     }
     // Loads are told in units of the stress that the plate lies under.
     void stressed() const {
@@ -183,6 +193,7 @@ double point_spacing(const Domain& domain) {
 void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
+    checks.borne();
     checks.densities();
     checks.dilation();
     if (!scene.anchor.present) return checks.regions_in_the_ground();

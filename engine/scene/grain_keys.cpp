@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <numbers>
 #include <stdexcept>
+
+#include "dem/packing/packing.hpp"
+#include "dem/prepare/prepare.hpp"
 
 namespace sandgraph::scene {
 namespace {
@@ -96,6 +100,18 @@ void complete_grains(const KeyTable& keys, Grains& g) {
     check_disks(keys, g);
 }
 
+void check_pressure(const Key& key, double pressure, const Grains& g) {
+    const std::array radii{g.radius_min, g.radius_max};
+    const double most = dem::bearable_pressure(dem::grain_scale(radii, g.material));
+    if (!g.packing.empty() || pressure <= most) return;
+    throw InputError(
+        key.where, fmt::format("{} = {}", key.full_name(), key.value->shown()),
+        fmt::format("a mean stress of {:.4g} kPa presses the grains into each other, which bear {:.4g} kPa",
+                    pressure / 1e3, most / 1e3),
+        fmt::format("write {:.4g} kPa less at least, or stiffer grains (grains.young)",
+                    (pressure - most) / 1e3));
+}
+
 double porosity_of(const std::string& density) {
     for (const Preset& preset : presets)
         if (density == preset.density) return preset.porosity;
@@ -120,6 +136,16 @@ void check_disks(const KeyTable& keys, const Grains& g) {
                          fmt::format("above radius_max = {}", keys.at("grains.radius_max").value->shown()),
                          "write radius_min <= radius_max");
     }
+    if (g.radius_max > dem::widest_grading * g.radius_min)
+        throw InputError(keys.at("grains.radius_min").where,
+                         fmt::format("grains.radius_min = {}", keys.at("grains.radius_min").value->shown()),
+                         fmt::format("radius_max is more than {:g} times larger", dem::widest_grading),
+                         "write radii closer to each other");
+    if (const Key& damping = keys.at("grains.damping"); g.packing.empty() && g.material.damping == 0)
+        throw InputError(damping.where, "grains.damping = 0",
+                         "without damping the grains ring on and no packing comes to rest",
+                         fmt::format("write {:g}", dem::Material{}.damping));
+    check_pressure(keys.at("grains.consolidation_pressure"), g.consolidation_pressure, g);
 }
 
 }  // namespace sandgraph::scene

@@ -11,6 +11,9 @@ void add_material_keys(KeyTable& keys, dem::Material& material);
 void add_disk_keys(KeyTable& keys, Grains& grains);
 void check_disks(const KeyTable& keys, const Grains& grains);
 
+// Refuses a pressure [Pa] that the grains of this recipe do not bear; `key` says what to lower.
+void check_pressure(const Key& key, double pressure, const Grains& grains);
+
 // "dense", "loose" or "custom" by target porosity; the porosity of "dense" or "loose".
 std::string density_name(double porosity);
 double porosity_of(const std::string& density);

@@ -36,8 +36,10 @@ void Real::read(const Entry& entry) {
     unit_weight_ = is_unit_weight(entry.node.value_or(std::string{}));
 }
 
-std::string Real::shown() const {
-    const std::string text = format_quantity(value_, unit_);
+std::string Real::shown() const { return shown(value_); }
+
+std::string Real::shown(double value) const {
+    const std::string text = format_quantity(value, unit_);
     return unit_.empty() ? text : fmt::format("\"{}\"", text);
 }
 std::string Real::canonical() const { return fmt::format("{:.14g}", value_); }

@@ -17,12 +17,28 @@ class Real : public Value {
     std::string allowed() const override { return range_.text(unit_); }
     bool unit_weight() const { return unit_weight_; }  // was a density written as weight?
 
+  protected:
+    std::string shown(double value) const;
+
   private:
     double quantity(const Entry& entry) const;
     double& value_;
     std::string unit_;
     Range range_;
     bool unit_weight_ = false;
+};
+
+// A real number that stays 0 unless it is given, for the program to derive; `usual` is what that gives for
+// the usual grains.
+class DerivedReal : public Real {
+  public:
+    DerivedReal(double& value, std::string unit, Range range, double usual)
+        : Real(value, std::move(unit), range), value_(value), usual_(usual) {}
+    std::string shown() const override { return Real::shown(value_ == 0 ? usual_ : value_); }
+
+  private:
+    double& value_;
+    double usual_;
 };
 
 // A list of bare numbers, rising.

@@ -86,6 +86,7 @@ ProbeSpec read_probe(const std::string& file) {
     in_order(keys, "paths.increment_min", "paths.increment_max", p.increment_min <= p.increment_max);
     in_order(keys, "packings.pressure_max", "paths.pressure_stop",
              probe.packings.pressure_max < p.pressure_stop);
+    check_pressure(keys.at("packings.pressure_max"), probe.packings.pressure_max, probe.grains);
     return probe;
 }
 

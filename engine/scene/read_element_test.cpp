@@ -55,7 +55,9 @@ template <class Test>
 void check_rates(const KeyTable& keys, const Test& test, const std::string& file) {
     const auto [name, rate] = rate_of(test);
     const Key& key = keys.at(name);
-    check_rate(rate, test.time_step, key.given ? key.where : InputError::Where{file, 0});
+    // Both derived, a rate and a step fit each other; one of them is judged beside the other's usual value.
+    check_rate(rate > 0 ? rate : dem::usual_rate, test.time_step > 0 ? test.time_step : dem::usual_time_step,
+               key.given ? key.where : InputError::Where{file, 0});
 }
 
 void check_rates(const KeyTable& keys, const dem::PathTest& test, const std::string&) {

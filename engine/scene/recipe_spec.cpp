@@ -25,6 +25,7 @@ RecipeSpec read_recipe(const std::string& file) {
     check_effects(keys, FileKind::recipe);
     recipe.given = keys.given();
     complete_grains(keys, recipe.grains);
+    check_pressure(keys.at("pressure"), recipe.pressure, recipe.grains);
     return recipe;
 }
 

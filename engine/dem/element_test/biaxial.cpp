@@ -8,7 +8,7 @@
 namespace sandgraph::dem {
 namespace {
 
-BiaxialRow biaxial_row(SampleOnStand& sample, double rate) {
+BiaxialRow biaxial_row(SampleOnStand& sample, double rate, const GrainScale& grains) {
     BiaxialRow row;
     static_cast<ElementRow&>(row) = sample.row();
     const Mat2& s = row.seen.stress;
@@ -17,7 +17,7 @@ BiaxialRow biaxial_row(SampleOnStand& sample, double rate) {
     row.p = 0.5 * (s(1, 1) + s(0, 0));
     row.q = 0.5 * (s(1, 1) - s(0, 0));
     row.sin_phi = row.p > 0 ? row.q / row.p : 0;
-    row.inertial_number = inertial_number(rate, row.p);
+    row.inertial_number = inertial_number(rate, row.p, grains);
     return row;
 }
 
@@ -31,22 +31,22 @@ void shorten(SampleOnStand& sample, StressServo& width, const BiaxialTest& test)
 
 }  // namespace
 
-std::vector<BiaxialRow> run_biaxial(Assembly& assembly, const BiaxialTest& test, double modulus) {
-    SG_EXPECT(test.axial_rate > 0 && test.strain_every > 0);
-    SG_EXPECT(test.confining_pressure > 0 && modulus > 0 && test.time_step > 0);
+std::vector<BiaxialRow> run_biaxial(Assembly& assembly, BiaxialTest test, const GrainScale& grains) {
+    by_grains(test.confining_pressure, test.axial_rate, test.time_step, grains);
+    SG_EXPECT(test.strain_every > 0);
     compress(assembly,
              {.pressure = test.confining_pressure,
               .rate = test.axial_rate,
               .relax_steps = test.relax_steps,
               .time_step = test.time_step},
-             modulus);
+             grains);
     SampleOnStand sample(assembly, test.time_step);
-    StressServo width = quick_servo(modulus, test.axial_rate);
-    std::vector<BiaxialRow> rows{biaxial_row(sample, test.axial_rate)};
+    StressServo width = quick_servo(grains, test.axial_rate);
+    std::vector<BiaxialRow> rows{biaxial_row(sample, test.axial_rate, grains)};
     while (rows.back().axial_strain < test.axial_strain * (1 - 1e-3)) {
         const double next = static_cast<double>(rows.size()) * test.strain_every;
         while (-std::log(sample.F()(1, 1)) < next) shorten(sample, width, test);
-        rows.push_back(biaxial_row(sample, test.axial_rate));
+        rows.push_back(biaxial_row(sample, test.axial_rate, grains));
     }
     return rows;
 }

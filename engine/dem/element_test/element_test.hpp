@@ -7,15 +7,19 @@
 #include <vector>
 
 #include "dem/assembly.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 
 // Element tests: one packing as a soil sample under uniform strain. Strains and stresses are compression
-// positive. Keys of test files bind to the members of the tests. `modulus` [Pa] (typical_modulus) scales the
-// servos.
+// positive. Keys of test files bind to the members of the tests. `grains`, the scale of the sample's grains,
+// sets the servos and what a test leaves at 0: pressure, rate and time step as published for Table 1 grains,
+// others in their proportion.
 
 inline constexpr int usual_relax_steps = 2000;  // at L = 0, before a test, not counted in it
+inline constexpr double usual_pressure = 64e3;  // held in tests of Table 1 grains [Pa]
+inline constexpr double usual_rate = 0.1;       // at which they are strained [1/s]
 
 // What is seen at one force evaluation. F [-] is the deformation gradient since the start of the test, H = F
 // H_0 the sample's periods [m] (not re-reduced). Row `step` = m belongs to the m-th force evaluation, where
@@ -42,59 +46,55 @@ std::vector<ElementRow> run_path(Assembly& sample, const PathTest& test);
 
 // Isotropic compression (or decompression) to `pressure` [Pa], both normal stresses servo-controlled.
 struct IsotropicTest {
-    double pressure = 64e3;   // [Pa]
-    double rate = 0.1;        // largest normal strain rate [1/s]
+    double pressure = 0;      // [Pa]
+    double rate = 0;          // largest normal strain rate [1/s]
     double tolerance = 1e-3;  // on both normal stresses, relative
     int relax_steps = usual_relax_steps;
     int sample_every = 500;              // steps between rows
-    double time_step = usual_time_step;  // [s]
+    double time_step = 0;                // [s]
     std::int64_t max_steps = 2'000'000;  // throws std::runtime_error when the pressure is not reached by then
 };
-std::vector<ElementRow> run_isotropic(Assembly& sample, const IsotropicTest& test, double modulus);
+std::vector<ElementRow> run_isotropic(Assembly& sample, IsotropicTest test, const GrainScale& grains);
 // The same for the sake of the sample: no rows.
-void compress(Assembly& sample, IsotropicTest test, double modulus);
+void compress(Assembly& sample, IsotropicTest test, const GrainScale& grains);
 
 // Biaxial test: isotropic compression to the confining pressure, then axial shortening along y at a constant
 // velocity gradient while a servo on the width holds sigma_xx.
 struct BiaxialTest {
-    double confining_pressure = 64e3;  // sigma_xx, held [Pa]
-    double axial_rate = 0.1;           // -L_yy [1/s]
-    double axial_strain = 0.2;         // -ln(hyy/hyy_0) at the end
-    double strain_every = 5e-4;        // axial strain between rows
+    double confining_pressure = 0;  // sigma_xx, held [Pa]
+    double axial_rate = 0;          // -L_yy [1/s]
+    double axial_strain = 0.2;      // -ln(hyy/hyy_0) at the end
+    double strain_every = 5e-4;     // axial strain between rows
     int relax_steps = usual_relax_steps;
-    double time_step = usual_time_step;  // [s]
+    double time_step = 0;  // [s]
 };
 struct BiaxialRow : ElementRow {
     double axial_strain = 0;       // eps_a = -ln(hyy/hyy_0)
     double volumetric_strain = 0;  // eps_v = -ln(A/A_0), dilation negative
     double p = 0, q = 0;           // (syy + sxx)/2, (syy - sxx)/2 [Pa]
     double sin_phi = 0;            // q/p
-    double inertial_number = 0;    // rate d sqrt(rho/p), d = 10 mm, rho = 2650 kg/m3
+    double inertial_number = 0;    // rate d sqrt(rho/p), d the mean diameter, rho of the grains
 };
-std::vector<BiaxialRow> run_biaxial(Assembly& sample, const BiaxialTest& test, double modulus);
+std::vector<BiaxialRow> run_biaxial(Assembly& sample, BiaxialTest test, const GrainScale& grains);
 
 // Simple shear at constant mean stress: isotropic compression to `mean_stress`, then L_xy = shear_rate while
 // a servo on the area holds the mean stress. The cell is re-reduced as it skews, so strain has no bound.
 struct ShearTest {
-    double mean_stress = 64e3;   // (sxx + syy)/2, held [Pa]
-    double shear_rate = 0.1;     // L_xy [1/s]
+    double mean_stress = 0;      // (sxx + syy)/2, held [Pa]
+    double shear_rate = 0;       // L_xy [1/s]
     double shear_strain = 0.2;   // gamma at the end
     double strain_every = 5e-4;  // shear strain between rows
     int relax_steps = usual_relax_steps;
-    double time_step = usual_time_step;  // [s]
+    double time_step = 0;  // [s]
 };
 struct ShearRow : ElementRow {
     double shear_strain = 0;       // gamma = F_xy/F_yy
     double volumetric_strain = 0;  // eps_v = -ln(A/A_0), dilation negative
     double p = 0, q = 0;           // (s1 + s2)/2, (s1 - s2)/2 [Pa]
     double stress_ratio = 0;       // q/p
-    double inertial_number = 0;    // rate d sqrt(rho/p), d = 10 mm, rho = 2650 kg/m3
+    double inertial_number = 0;    // rate d sqrt(rho/p), d the mean diameter, rho of the grains
 };
-std::vector<ShearRow> run_shear(Assembly& sample, const ShearTest& test, double modulus);
-
-// k_n/(2 h) of two mean grains [Pa]: the order of a packing's P-wave modulus; scales the servos.
-double typical_modulus(std::span<const double> radii, const Material& material);
-double typical_modulus(const Packing& packing, const Material& material);
+std::vector<ShearRow> run_shear(Assembly& sample, ShearTest test, const GrainScale& grains);
 
 // Rows as CSV with the column names, signs and units of the YADE files, after one '#' line of JSON
 // `metadata`. Path and isotropic tests:
@@ -105,8 +105,8 @@ std::string element_csv(std::span<const ElementRow> rows, const std::string& met
 std::string element_csv(std::span<const BiaxialRow> rows, const std::string& metadata = "{}");
 std::string element_csv(std::span<const ShearRow> rows, const std::string& metadata = "{}");
 
-// The published programme (Liang et al. 2021, Fig. 2): three confining pressures [Pa], the peak within this
-// axial strain.
+// The published programme (Liang et al. 2021, Fig. 2): three confining pressures of Table 1 grains [Pa] (of
+// others times their stiffness), the peak within this axial strain.
 inline constexpr std::array<double, 3> confining_pressures = {32e3, 64e3, 128e3};
 inline constexpr double peak_strain = 0.1;
 

@@ -11,7 +11,7 @@ namespace sandgraph::dem {
 namespace {
 
 constexpr int servo_interval = 10;       // steps
-constexpr double servo_response = 2e-3;  // [s]: slower than the packing's own vibrations
+constexpr double servo_response = 2e-3;  // of Table 1 grains [s]: slower than the packing's own vibrations
 
 bool at_pressure(const Mat2& stress, const IsotropicTest& test) {
     return std::abs(stress(0, 0) - test.pressure) < test.tolerance * test.pressure &&
@@ -31,14 +31,16 @@ int drive(SampleOnStand& sample, StressServo& x, StressServo& y, const Isotropic
 
 }  // namespace
 
-std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& test, double modulus) {
-    SG_EXPECT(test.pressure > 0 && test.rate > 0 && test.sample_every > 0 && test.time_step > 0);
+std::vector<ElementRow> run_isotropic(Assembly& assembly, IsotropicTest test, const GrainScale& grains) {
+    by_grains(test.pressure, test.rate, test.time_step, grains);
+    SG_EXPECT(test.sample_every > 0);
     assembly.step(Mat2::Zero(), test.time_step, test.relax_steps);
     SampleOnStand sample(assembly, test.time_step);
-    StressServo x(modulus, servo_response, 0, test.rate), y = x;
+    const double response = servo_response * grains.slowness;
+    StressServo x(grains.modulus, response, 0, test.rate), y = x;
     std::vector<ElementRow> rows{sample.row()};
     // The pressure counts as reached when it has stayed for ten response times.
-    const int hold = static_cast<int>(10 * servo_response / test.time_step);
+    const int hold = static_cast<int>(10 * response / test.time_step);
     for (int held = 0; held < hold;) {
         const int steps = drive(sample, x, y, test);
         held = at_pressure(assembly.stress(), test) ? held + steps : 0;
@@ -52,9 +54,9 @@ std::vector<ElementRow> run_isotropic(Assembly& assembly, const IsotropicTest& t
     return rows;
 }
 
-void compress(Assembly& sample, IsotropicTest test, double modulus) {
+void compress(Assembly& sample, IsotropicTest test, const GrainScale& grains) {
     test.sample_every = static_cast<int>(test.max_steps);
-    run_isotropic(sample, test, modulus);
+    run_isotropic(sample, test, grains);
 }
 
 }  // namespace sandgraph::dem

@@ -32,16 +32,11 @@ ElementRow SampleOnStand::row() {
                      "compress it less, or take a shorter time step");
 }
 
-double typical_modulus(std::span<const double> radii, const Material& material) {
-    SG_EXPECT(!radii.empty() && material.depth > 0);
-    double sum = 0;
-    for (double r : radii) sum += r;
-    const double r_mean = sum / static_cast<double>(radii.size());
-    return 0.5 * material.young * r_mean / material.depth;
-}
-
-double typical_modulus(const Packing& packing, const Material& material) {
-    return typical_modulus(packing.r, material);
+void by_grains(double& pressure, double& rate, double& time_step, const GrainScale& grains) {
+    SG_EXPECT(pressure >= 0 && rate >= 0 && time_step >= 0);
+    if (pressure == 0) pressure = usual_pressure * grains.stiffness;
+    if (rate == 0) rate = usual_rate / grains.slowness;
+    if (time_step == 0) time_step = grains.time_step;
 }
 
 }  // namespace sandgraph::dem

@@ -24,4 +24,7 @@ class SampleOnStand {
     std::int64_t steps_ = 0;
 };
 
+// Fills in what a test leaves to the grains (0).
+void by_grains(double& pressure, double& rate, double& time_step, const GrainScale& grains);
+
 }  // namespace sandgraph::dem

@@ -1,9 +1,9 @@
 #pragma once
 #include <algorithm>
-#include <cmath>
 
 #include "base/contracts.hpp"
 #include "base/tensor.hpp"
+#include "dem/grain_scale.hpp"
 
 namespace sandgraph::dem {
 
@@ -32,9 +32,8 @@ class StressServo {
 // The servo of tests that strain a sample at `rate` [1/s] while it holds a stress; tuned on the dense and
 // loose reference packings for the smallest rms error.
 inline constexpr int quick_servo_interval = 2;  // steps
-inline StressServo quick_servo(double modulus, double rate) { return {modulus, 1e-4, 1e-3, 20 * rate}; }
-
-// rate d sqrt(rho/p) of the usual grains, d = 10 mm, rho = 2650 kg/m3; 0 without pressure.
-inline double inertial_number(double rate, double p) { return p > 0 ? rate * 0.01 * std::sqrt(2650 / p) : 0; }
+inline StressServo quick_servo(const GrainScale& grains, double rate) {
+    return {grains.modulus, 1e-4 * grains.slowness, 1e-3 * grains.slowness, 20 * rate};
+}
 
 }  // namespace sandgraph::dem

@@ -48,7 +48,7 @@ void NeighbourList::relist(FastState& s, const std::vector<Contact>& history) {
     if (!r.identity) reduce(s, r);
     wrap_grains(s, moved_);
     collect(s, history, r.U_inverse);
-    list_pairs(s, search_.find(s.record.data(), s.grains, s.H, gap_));
+    list_pairs(s, search_.find(s.record.data(), s.grains, s.H, listed_gap(s.radius_max)));
     s.approach = 0;
     SG_ENSURE(s.slots % FastState::kLanes == 0 && s.inner % FastState::kLanes == 0);
     SG_ENSURE(s.inner <= s.pairs && s.pairs <= s.slots && !stale(s));
@@ -119,7 +119,7 @@ void NeighbourList::deal(FastState& s, const std::vector<NearPair>& pairs, int f
 
 double NeighbourList::approach(const FastState& s, double speed2, double dt) const {
     SG_EXPECT(!(speed2 < 0) && dt > 0);  // not a number when the packing diverges
-    return dt * (2 * std::sqrt(speed2) + s.L.norm() * (2 * s.radius_max + gap_));
+    return dt * (2 * std::sqrt(speed2) + s.L.norm() * (2 * s.radius_max + listed_gap(s.radius_max)));
 }
 
 }  // namespace sandgraph::dem

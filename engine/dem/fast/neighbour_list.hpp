@@ -3,17 +3,21 @@
 
 #include "dem/fast/neighbours.hpp"
 #include "dem/fast/state.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem {
 
+// Pairs are listed up to this gap [m]: 0.3 mm for the grains of Table 1, by the largest radius for others.
+inline double listed_gap(double radius_max) {
+    constexpr double usual = 3e-4, usual_radius = 0.007;
+    return usual * unless_near_one(radius_max / usual_radius);
+}
+
 // Keeps the pair list of a working state valid. One per thread is enough: it holds scratch memory only.
 class NeighbourList {
   public:
-    // `gap`: pairs are listed up to this gap [m].
-    explicit NeighbourList(double gap = 3e-4) : gap_(gap) {}
-
-    bool stale(const FastState& state) const { return state.approach >= gap_; }
+    bool stale(const FastState& state) const { return state.approach >= listed_gap(state.radius_max); }
 
     // Re-reduces the cell if it is skewed, wraps the grains into it, lists the near pairs and hands `history`
     // (image counters as before the call) on to them. The stress is unchanged but for round-off.
@@ -32,7 +36,6 @@ class NeighbourList {
     void deal(FastState& state, const std::vector<NearPair>& pairs, int first, int slots);
     const Contact* find(const NearPair& pair) const;
 
-    double gap_;
     NeighbourSearch search_;
     std::vector<Contact> history_, old_;  // old_: by first grain, image counters in the new cell
     std::vector<int> first_;              // [N + 1] start of each grain's contacts in old_

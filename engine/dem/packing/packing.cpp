@@ -17,8 +17,7 @@ namespace {
 constexpr double largest_overlap = 0.5;  // of the smaller radius
 constexpr double smallest_sine = 1e-4;   // between the periods
 constexpr double longest = 1e6;          // period over the other one
-constexpr double widest = 100;    // largest radius over the smallest: time step and grid follow the smallest
-constexpr double farthest = 1e4;  // cells from the origin; image offsets are 16-bit
+constexpr double farthest = 1e4;         // cells from the origin; image offsets are 16-bit
 
 InputError::Where grain_line(const PackingSource& s, std::size_t g) {
     return {s.file, g < s.grain_lines.size() ? s.grain_lines[g] : 0};
@@ -55,10 +54,10 @@ void check_grain(const Packing& p, std::size_t g, const Mat2& inverse, const Pac
 void check_size(const Packing& p, const PackingSource& s) {
     const auto [least, most] = std::minmax_element(p.r.begin(), p.r.end());
     const double r_max = *most;
-    if (!(r_max <= widest * *least))
+    if (!(r_max <= widest_grading * *least))
         throw InputError(grain_line(s, static_cast<std::size_t>(least - p.r.begin())),
                          fmt::format("radius {:g} m beside one of {:g} m", *least, r_max),
-                         fmt::format("more than {:g} times smaller", widest), "check the units of r");
+                         fmt::format("more than {:g} times smaller", widest_grading), "check the units of r");
     const double shortest = reduce_lattice(p.H).basis.col(0).norm();
     if (shortest < (2 - largest_overlap) * r_max)
         throw InputError({s.file, s.cell_line}, "cell is smaller than a grain",

@@ -39,6 +39,9 @@ double porosity(const Packing& packing);
 // Grains pressed into each other by about half their radius: below this 2D porosity no contact law holds.
 inline constexpr double crushed_porosity = -0.5;
 
+// Largest radius over the smallest: time step and grid follow the smallest.
+inline constexpr double widest_grading = 100;
+
 // Where a packing came from, for error messages: the file, the line of the cell, the line of each grain.
 struct PackingSource {
     std::string file;

@@ -44,7 +44,7 @@ bool place(Packing& p, double r, double side, Random& random) {
 
 void check(const Recipe& recipe) {
     const InputError::Where where{"recipe", 0};
-    if (recipe.count < 10)
+    if (recipe.count < fewest_grains)
         throw InputError(where, fmt::format("count = {}", recipe.count), "too few for a packing", "use 400");
     if (!(recipe.radius_min > 0) || !(recipe.radius_max >= recipe.radius_min))
         throw InputError(where, fmt::format("radii {:g} to {:g} m", recipe.radius_min, recipe.radius_max),

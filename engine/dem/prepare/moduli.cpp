@@ -1,9 +1,8 @@
 #include "base/contracts.hpp"
-#include "dem/element_test/element_test.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/packing/observe.hpp"
 #include "dem/prepare/prepare.hpp"
 #include "dem/prepare/stages.hpp"
-#include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -40,8 +39,9 @@ Moduli small_strain_moduli(const Packing& packing, const Material& material, con
     const double pressure =
         0.5 * love_weber_stress(packing, contact_forces(packing, material), material).trace();
     SG_EXPECT(pressure > 0);
-    const Probe probe{packing, calm(material), factory, preparation_time_step(material, packing.r),
-                      probe_share * pressure / typical_modulus(packing, material)};
+    const GrainScale grains = grain_scale(packing, material);
+    const Probe probe{packing, calm(material), factory, grains.time_step,
+                      probe_share * pressure / grains.modulus};
     const Mat2 iso = probe.stiffness(mode(1, 0, 1)), biaxial = probe.stiffness(mode(1, 0, -1)),
                simple = probe.stiffness(mode(0, 1, 0));
     Moduli moduli;

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "base/contracts.hpp"
 #include "base/error.hpp"
-#include "dem/element_test/element_test.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/prepare/stages.hpp"
-#include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -23,16 +21,16 @@ constexpr long consolidation_steps = 1'000'000;  // for usual grains
 constexpr double gas_strain = 1;                 // of each side, more than a gas needs to jam
 
 // Of the recipe, not of a packing: the radii drawn are some of those between.
-double time_step(const Recipe& recipe, const Material& material) {
-    return preparation_time_step(material, std::array{recipe.radius_min, recipe.radius_max});
+GrainScale scale_of(const Recipe& recipe, const Material& material) {
+    return grain_scale(std::array{recipe.radius_min, recipe.radius_max}, material);
 }
 
 PressureStage stage_of(const Recipe& recipe, const Packing& packing, const Material& material) {
     PressureStage stage;
     stage.pressure = recipe.consolidation_pressure;
-    stage.rate = recipe.rate;
-    stage.modulus = typical_modulus(packing, material);
-    stage.dt = time_step(recipe, material);
+    stage.grains = grain_scale(packing, material);
+    stage.rate = recipe.rate / stage.grains.slowness;
+    stage.dt = scale_of(recipe, material).time_step;
     return stage;
 }
 
@@ -42,15 +40,24 @@ long enough_steps(const PressureStage& stage) {
     return std::max(consolidation_steps, static_cast<long>(steps));
 }
 
+[[noreturn]] void refuse_endless(const Recipe& recipe, const Material& material) {
+    constexpr double usual_damping = Material{}.damping;
+    const std::string why =
+        fmt::format("consolidation to {:g} kPa does not end", recipe.consolidation_pressure / 1e3);
+    if (material.damping < usual_damping)
+        throw InputError({"recipe", 0}, fmt::format("grains.damping = {:g}", material.damping),
+                         why + ": the grains ring on", fmt::format("write {:g}", usual_damping));
+    throw InputError({"recipe", 0}, why, "the grains never come to rest at this pressure",
+                     "take another grains.seed or more grains (grains.count)");
+}
+
 Packing consolidate(const Recipe& recipe, const Packing& gas, Material material, double friction,
                     const AssemblyFactory& factory, const ProgressCallback& progress) {
     SG_EXPECT(friction >= 0 && friction <= largest_friction);
     material.friction_angle = friction;
     const auto assembly = factory(gas, material);
     const PressureStage stage = stage_of(recipe, gas, material);
-    if (!drive_to_pressure(*assembly, stage, enough_steps(stage), progress))
-        throw std::runtime_error(
-            fmt::format("consolidation to {:g} Pa does not end", recipe.consolidation_pressure));
+    if (!drive_to_pressure(*assembly, stage, enough_steps(stage), progress)) refuse_endless(recipe, material);
     return at_rest(assembly->packing());
 }
 
@@ -58,8 +65,9 @@ Packing rebalance(const Recipe& recipe, const Packing& packing, const Material& 
                   const AssemblyFactory& factory, const ProgressCallback& progress) {
     PressureTarget target;
     target.pressure = recipe.consolidation_pressure;
-    target.rate = recipe.rate;
-    target.dt = time_step(recipe, material);
+    const GrainScale grains = scale_of(recipe, material);
+    target.rate = recipe.rate / grains.slowness;
+    target.dt = grains.time_step;
     return compress_to(packing, target, material, factory, progress);
 }
 
@@ -102,6 +110,7 @@ struct Preparation {
 Prepared prepare(const Recipe& recipe, const Material& material, const AssemblyFactory& factory,
                  const ProgressCallback& progress) {
     SG_EXPECT(factory);
+    check_bearable(recipe.consolidation_pressure, scale_of(recipe, material));
     Preparation preparation{recipe, material, factory, progress, {}};
     FrictionSearch search(recipe.target_porosity);
     for (int trial = 0; trial < most_trials; ++trial) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "base/console.hpp"
 #include "dem/assembly.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/prepare/recipe.hpp"
 
 namespace sandgraph::dem {
@@ -20,13 +21,21 @@ Prepared prepare(const Recipe& recipe, const Material& material, const AssemblyF
 // Disks without contacts, placed at random, largest first; `attempt` draws another gas of the same grains.
 Packing random_gas(const Recipe& recipe, int attempt = 0);
 
+// Mean stress [Pa] that grains bear lying on each other: with an overlap of p/M of a radius on average. At
+// 0.2 M single overlaps pass half a radius, where no contact law holds, at 0.225 M the pores of Table 1 sand
+// are gone.
+double bearable_pressure(const GrainScale& grains);
+// Throws InputError above it, and where grains lie in each other already.
+void check_bearable(double pressure, const GrainScale& grains);
+void check_uncrushed(const Packing& packing, double pressure);
+
 // The same grains at another isotropic pressure [Pa], up or down: both normal stresses within `tolerance`
 // (relative) of it, shear stress as small, at rest.
 struct PressureTarget {
     double pressure = 0;  // [Pa]
     double tolerance = 1e-3;
-    double rate = 0.1;  // largest strain rate [1/s]
-    double dt = 0;      // [s]; 0: preparation_time_step of the packing
+    double rate = 0;  // largest strain rate [1/s]; 0: 0.1 for Table 1 grains, others by their scale
+    double dt = 0;    // [s]; 0: by the grains
 };
 Packing compress_to(const Packing& packing, const PressureTarget& target, const Material& material,
                     const AssemblyFactory& factory, const ProgressCallback& progress = {});

@@ -5,25 +5,25 @@
 
 #include "base/contracts.hpp"
 #include "base/error.hpp"
-#include "dem/element_test/element_test.hpp"
+#include "dem/packing/packing.hpp"
 #include "dem/prepare/prepare.hpp"
 #include "dem/prepare/stages.hpp"
-#include "dem/time_step.hpp"
 
 namespace sandgraph::dem {
 namespace {
 
-constexpr int rounds = 20;        // servo and relaxation in turn
-constexpr double round_time = 4;  // [s]
+constexpr int rounds = 20;          // servo and relaxation in turn
+constexpr double round_time = 4;    // of Table 1 grains [s]
+constexpr double usual_rate = 0.1;  // of Table 1 grains [1/s]
 constexpr double at_rest_unbalanced = 1e-5;
 
 PressureStage stage_of(const PressureTarget& target, const Packing& packing, const Material& material) {
     PressureStage stage;
     stage.pressure = target.pressure;
     stage.tolerance = 0.5 * target.tolerance;  // relaxation then has room to drift
-    stage.rate = target.rate;
-    stage.modulus = typical_modulus(packing, material);
-    stage.dt = target.dt > 0 ? target.dt : preparation_time_step(material, packing.r);
+    stage.grains = grain_scale(packing, material);
+    stage.rate = target.rate > 0 ? target.rate : usual_rate / stage.grains.slowness;
+    stage.dt = target.dt > 0 ? target.dt : stage.grains.time_step;
     stage.release_shear = true;
     return stage;
 }
@@ -34,21 +34,52 @@ void check(const PressureTarget& target) {
                          "a packing needs confinement to hold", "give a positive pressure, e.g. 500 Pa");
 }
 
+[[noreturn]] void refuse_pressure(double pressure, const std::string& why, double bearable) {
+    throw InputError({"pressure", 0}, fmt::format("{:g} kPa", pressure / 1e3), why,
+                     fmt::format("write {:g} kPa or less, or stiffer grains (grains.young)", bearable / 1e3));
+}
+
 }  // namespace
+
+double bearable_pressure(const GrainScale& grains) { return 0.15 * grains.modulus; }
+
+void check_bearable(double pressure, const GrainScale& grains) {
+    const double most = bearable_pressure(grains);
+    if (pressure > most)
+        refuse_pressure(
+            pressure, fmt::format("it presses the grains into each other, which bear {:.3g} kPa", most / 1e3),
+            most);
+}
+
+void check_uncrushed(const Packing& packing, double pressure) {
+    const auto refuse = [&](const std::string& why) {
+        refuse_pressure(pressure, "these grains do not bear it: " + why, 0.5 * pressure);
+    };
+    if (const double pores = porosity(packing); !(pores > 0)) refuse(fmt::format("porosity {:.3f}", pores));
+    try {
+        check_packing(packing, {"packing", 0, {}});
+    } catch (const InputError& crushed) {
+        refuse(crushed.what());
+    }
+}
 
 Packing compress_to(const Packing& packing, const PressureTarget& target, const Material& material,
                     const AssemblyFactory& factory, const ProgressCallback& progress) {
     check(target);
-    SG_EXPECT(factory && target.tolerance > 0 && target.rate > 0 && target.dt >= 0);
+    check_bearable(target.pressure, grain_scale(packing, material));
+    SG_EXPECT(factory && target.tolerance > 0 && target.rate >= 0 && target.dt >= 0);
     const auto assembly = factory(packing, calm(material));
     const PressureStage stage = stage_of(target, packing, material);
     PressureStage accepted = stage;
     accepted.tolerance = target.tolerance;
-    const long steps_per_round = std::lround(round_time / stage.dt);
+    const long steps_per_round = std::lround(round_time * stage.grains.slowness / stage.dt);
     for (int round = 0; round < rounds; ++round) {
         drive_to_pressure(*assembly, stage, steps_per_round, progress);
         const bool still = relax(*assembly, at_rest_unbalanced, stage.dt, steps_per_round);
-        if (still && at_pressure(assembly->stress(), accepted)) return at_rest(assembly->packing());
+        if (!still || !at_pressure(assembly->stress(), accepted)) continue;
+        const Packing made = at_rest(assembly->packing());
+        check_uncrushed(made, target.pressure);
+        return made;
     }
     throw std::runtime_error(fmt::format("packing does not come to rest at {:g} Pa (now {:g} and {:g} Pa)",
                                          target.pressure, assembly->stress()(0, 0),

@@ -10,13 +10,13 @@ namespace sandgraph::dem {
 namespace {
 
 constexpr int servo_interval = 10;       // steps
-constexpr double servo_response = 5e-4;  // [s]
+constexpr double servo_response = 5e-4;  // of Table 1 grains [s]
 constexpr int hold = 1000;               // steps within the tolerance before a pressure counts as reached
 constexpr int relax_interval = 500;      // steps
 
 Mat2 servo_gradient(const Mat2& stress, const PressureStage& stage) {
-    StressServo normal(stage.modulus, servo_response, 0, stage.rate);
-    StressServo shear(0.5 * stage.modulus, servo_response, 0, stage.rate);
+    const double modulus = stage.grains.modulus, response = servo_response * stage.grains.slowness;
+    StressServo normal(modulus, response, 0, stage.rate), shear(0.5 * modulus, response, 0, stage.rate);
     Mat2 L = Mat2::Zero();
     L(0, 0) = -normal.rate(stage.pressure - stress(0, 0), 0);
     L(1, 1) = -normal.rate(stage.pressure - stress(1, 1), 0);
@@ -32,7 +32,8 @@ double progress_of(const Mat2& stress, const PressureStage& stage) {
 }  // namespace
 
 double largest_rate(const PressureStage& stage) {
-    return std::min(stage.rate, stage.pressure / (stage.modulus * servo_response));
+    const double response = servo_response * stage.grains.slowness;
+    return std::min(stage.rate, stage.pressure / (stage.grains.modulus * response));
 }
 
 bool at_pressure(const Mat2& stress, const PressureStage& stage) {
@@ -45,7 +46,7 @@ bool at_pressure(const Mat2& stress, const PressureStage& stage) {
 bool drive_to_pressure(Assembly& assembly, const PressureStage& stage, long max_steps,
                        const ProgressCallback& progress) {
     SG_EXPECT(stage.pressure > 0 && stage.tolerance > 0 && stage.rate > 0);
-    SG_EXPECT(stage.modulus > 0 && stage.dt > 0);
+    SG_EXPECT(stage.grains.modulus > 0 && stage.dt > 0);
     assembly.step(Mat2::Zero(), stage.dt, 1);  // an assembly may know its stress only from a step on
     int held = 0;
     for (long step = 0; step < max_steps; step += servo_interval) {

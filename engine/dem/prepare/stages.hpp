@@ -1,6 +1,7 @@
 #pragma once
 #include "base/console.hpp"
 #include "dem/assembly.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/material.hpp"
 
 namespace sandgraph::dem {
@@ -12,9 +13,9 @@ namespace sandgraph::dem {
 struct PressureStage {
     double pressure = 0;  // [Pa]
     double tolerance = 1e-3;
-    double rate = 0;     // [1/s]
-    double modulus = 0;  // [Pa], see typical_modulus
-    double dt = 0;       // [s]
+    double rate = 0;  // [1/s]
+    GrainScale grains;
+    double dt = 0;  // [s]
     bool release_shear = false;
 };
 

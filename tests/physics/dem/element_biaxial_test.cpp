@@ -17,7 +17,8 @@ ReferenceAssembly sample(const std::string& kind) {
 
 std::vector<BiaxialRow> biaxial(const std::string& kind, double pressure, double strain) {
     ReferenceAssembly assembly = sample(kind);
-    return run_biaxial(assembly, {.confining_pressure = pressure, .axial_strain = strain}, 2e7);
+    return run_biaxial(assembly, {.confining_pressure = pressure, .axial_strain = strain},
+                       grain_scale(assembly.packing(), Material{}));
 }
 
 std::vector<BiaxialRow> yade_biaxial(const std::string& kind, int kilopascal) {
@@ -52,14 +53,17 @@ TEST(StressServo, NeverExceedsItsRate) {
 
 TEST(Isotropic, BothNormalStressesReachThePressureAndStay) {
     ReferenceAssembly assembly = sample("dense");
-    const auto rows = run_isotropic(assembly, {.pressure = 32e3}, 2e7);
+    const auto rows =
+        run_isotropic(assembly, {.pressure = 32e3}, grain_scale(assembly.packing(), Material{}));
     for (int k = 0; k < 2; ++k) EXPECT_NEAR(rows.back().seen.stress(k, k), 32e3, 32);
     EXPECT_NEAR(rows.back().seen.porosity, 0.160562, 2e-5);  // YADE's
 }
 
 TEST(Isotropic, SaysWhenThePressureIsNotReached) {
     ReferenceAssembly assembly = sample("dense");
-    EXPECT_THROW(run_isotropic(assembly, {.pressure = 1e6, .max_steps = 1000}, 2e7), std::runtime_error);
+    EXPECT_THROW(run_isotropic(assembly, {.pressure = 1e6, .max_steps = 1000},
+                               grain_scale(assembly.packing(), Material{})),
+                 std::runtime_error);
 }
 
 TEST(Biaxial, ServoHoldsTheConfiningPressureTo02Percent) {

@@ -11,9 +11,11 @@ namespace sandgraph::dem {
 namespace {
 
 std::vector<ShearRow> sheared(const std::string& density, double strain) {
-    FastAssembly sample(read_packing_csv(test::yade_file("packing_" + density + "_p32.csv")), Material{});
-    return run_shear(
-        sample, {.mean_stress = 20e3, .shear_rate = 0.5, .shear_strain = strain, .strain_every = 0.01}, 2e7);
+    const Packing packing = read_packing_csv(test::yade_file("packing_" + density + "_p32.csv"));
+    FastAssembly sample(packing, Material{});
+    return run_shear(sample,
+                     {.mean_stress = 20e3, .shear_rate = 0.5, .shear_strain = strain, .strain_every = 0.01},
+                     grain_scale(packing, Material{}));
 }
 
 TEST(SimpleShear, HoldsTheMeanStressAndReachesItsStrain) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "dem/make_assembly.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/packing/observe.hpp"
 #include "dem/prepare/stages.hpp"
@@ -128,6 +129,35 @@ TEST(CompressTo, AgreesWithYadesPackingAt32kPa) {
 
 TEST(CompressTo, RefusesTension) {
     EXPECT_THROW(compress_to(yade_dense(), {.pressure = -1}, Material{}, reference), InputError);
+}
+
+TEST(CompressTo, RefusesWhatTheGrainsDoNotBear) {
+    EXPECT_THROW(compress_to(yade_dense(), {.pressure = 4e6}, Material{}, reference), InputError);
+    Material soft;
+    soft.young /= 100;
+    EXPECT_THROW(compress_to(yade_dense(), {.pressure = 40e3}, soft, reference), InputError);
+}
+
+TEST(CompressTo, WhatGrainsBearCanBeReadAgain) {
+    Recipe recipe = small(0.20);
+    const Packing loose = prepare(recipe, Material{}, fast_assemblies()).packing;
+    const double most = bearable_pressure(grain_scale(loose, Material{}));
+    const Packing pressed = compress_to(loose, {.pressure = most}, Material{}, fast_assemblies());
+    EXPECT_GT(porosity(pressed), 0);
+    EXPECT_NO_THROW(check_packing(pressed, {}));
+}
+
+TEST(Prepare, NamesTheDampingWhenGrainsRingOn) {
+    Material ringing;
+    ringing.damping = 0;
+    Recipe recipe = small(0.16);
+    recipe.count = 20;
+    try {
+        prepare(recipe, ringing, fast_assemblies());
+        ADD_FAILURE() << "came to rest";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("grains.damping = 0"), std::string::npos) << error.what();
+    }
 }
 
 TEST(SmallStrainModuli, BulkModulusIsTheSlopeOfIsotropicCompression) {

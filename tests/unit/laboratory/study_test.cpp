@@ -141,7 +141,8 @@ TEST(StudyRun, TheDefaultErrsByOnePercentAtMostNearZeroPressure) {
     StudySample low = sample();
     dem::FastAssembly a(dem::read_packing_csv(sandgraph::test::test_data("/yade/packing_dense_p10.csv")),
                         low.material);
-    dem::compress(a, {.pressure = study_pressure_low, .rate = 0.05}, 2e7);
+    dem::compress(a, {.pressure = study_pressure_low, .rate = 0.05},
+                  dem::grain_scale(a.packing(), low.material));
     low.row.packing = dem::compact(a.packing(), low.material, a.stress());
     const StrainHistory history = opening_history();
     graph::RveSettings bare;
