@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "base/contracts.hpp"
@@ -25,6 +27,13 @@ template <>
 struct Stored<stress::Reason> {
     using type = std::uint8_t;
 };
+
+// What never happened is NaN in memory and -1, which no share can be, in the file.
+constexpr double nothing = -1;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double stored(double value) { return std::isnan(value) ? nothing : value; }
+double recalled(double value) { return value == nothing ? unknown : value; }
 
 template <class T, class Row>
 void write_column(h5::Group& group, const char* name, const std::vector<Row>& rows, T Row::*member,
@@ -70,8 +79,10 @@ void write_screening(h5::Group& root, const ScreeningRecord& record) {
     }));
     h5::Group switches = root.create("switches"), audit = root.create("audit");
     h5::set_attribute(switches, ".", "reasons", fmt::format("{}", fmt::join(record.reasons, "\n")));
+    std::vector<Switch> rows = record.switches;
+    for (Switch& row : rows) row.felt = stored(row.felt), row.ordinary = stored(row.ordinary);
     visit_switches([&](const char* name, auto member, const char* unit) {
-        write_column(switches, name, record.switches, member, unit);
+        write_column(switches, name, rows, member, unit);
     });
     visit_audits([&](const char* name, auto member, const char* unit) {
         write_column(audit, name, record.audits, member, unit);
@@ -87,6 +98,7 @@ ScreeningRecord read_screening(const h5::Group& root) {
     visit_switches([&](const char* name, auto member, const char*) {
         if (switches.has(name)) read_column(switches, name, record.switches, member);
     });
+    for (Switch& row : record.switches) row.felt = recalled(row.felt), row.ordinary = recalled(row.ordinary);
     visit_audits(
         [&](const char* name, auto member, const char*) { read_column(audit, name, record.audits, member); });
     return record;

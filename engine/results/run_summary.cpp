@@ -104,7 +104,8 @@ const char* breakout_words(const io::Summary& s) {
 }
 
 std::string energy_text(double share) {
-    if (std::isnan(share)) return "\n";  // stopped before it was looked at
+    // Stopped before it was looked at, or the ground has worked on the plate all the time.
+    if (std::isnan(share)) return ", kinetic energy over the plate's work: - (no work yet)\n";
     const char* warning =
         share > kQuasiStatic
             ? "warning: too fast to be quasi-static (10 % is the usual limit); lower anchor.pull_rate\n"

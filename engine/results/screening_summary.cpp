@@ -86,8 +86,9 @@ std::string screening_text(const io::Summary& s) {
                            100 * s.number("jump_p50"), 100 * s.number("jump_p95"));
     if (s.number("jump_felt_p95") >= 0) out += felt_text(s);
     if (s.audit.points > 0)
-        out += fmt::format("audit: the surrogate's stress is off by {:.1f} +- {:.1f} % of p ({} points)\n",
-                           100 * s.audit.stress_error_mean, 100 * s.audit.ci95, s.audit.points);
+        out += fmt::format("audit: the surrogate's stress is off by {:.1f} +- {:.1f} % of p ({} point{})\n",
+                           100 * s.audit.stress_error_mean, 100 * s.audit.ci95, s.audit.points,
+                           s.audit.points == 1 ? "" : "s");
     if (const double failed = s.number("failed_answers"); failed > 0)
         out +=
             fmt::format("warning: the surrogate failed at {:.0f} points; their grains took over\n", failed);

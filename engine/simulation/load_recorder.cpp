@@ -25,9 +25,8 @@ std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation
     steps_ += 1;
     if (simulation.mark() < next_) return std::nullopt;
     const io::LoadRow out = row(simulation, load_ / steps_);
-    if (simulation.d_over_B() >= kQuasiStaticFrom)
-        kinetic_share_max_ =
-            std::fmax(kinetic_share_max_, out.kinetic_energy / std::max(plate_work_, 1e-300));
+    if (simulation.d_over_B() >= kQuasiStaticFrom && plate_work_ > 0)  // soft ground may push the plate first
+        kinetic_share_max_ = std::fmax(kinetic_share_max_, out.kinetic_energy / plate_work_);
     while (next_ <= simulation.mark()) next_ += every_;
     steps_ = d_ = load_ = leading_ = trailing_ = 0;
     last_ = out.load;

@@ -53,7 +53,7 @@ struct AuditRow {
     double points = 0;      // in the sample
     double population = 0;  // points that the surrogate answers for
     double mean = 0;        // NaN without a sample
-    double ci95 = 0;        // half width of the 95 % confidence interval of the mean; NaN below two points
+    double ci95 = 0;        // half width of the 95 % confidence interval of the mean; NaN without a sample
 };
 
 struct ScreeningCounters {

@@ -61,7 +61,6 @@ AuditRow estimate(std::span<const double> sample, std::size_t population) {
     std::vector<double> errors(sample.begin(), sample.end());
     for (double& e : errors) e = std::min(e, audit_cap);
     row.mean = std::accumulate(errors.begin(), errors.end(), 0.0) / n;
-    if (sample.size() < 2) return row;
     row.ci95 = n < N ? half_width(errors, row.mean) * std::sqrt(1 - n / N) : 0;
     return row;
 }

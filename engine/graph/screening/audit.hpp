@@ -22,7 +22,7 @@ std::vector<std::int32_t> draw_sample(std::size_t points, const AuditSettings& s
 // distribution between 0 and audit_cap: a few points that are far off are easily missed by a sample, and
 // Student's interval then contains the truth three times in four only (bench_audit_coverage). Bound of Gaffke
 // (2005) from 2,000 draws, the larger of both sides, with the correction for a finite population: a whole
-// census has none.
+// census has none. Of one point it is valid, and wide.
 AuditRow estimate(std::span<const double> sample, std::size_t population);
 
 // The points of a run that carry a second packing, which only measures the surrogate's stress error: with any

@@ -219,8 +219,10 @@ AuditRow ScreeningLaw::audit() const {
 }
 
 void ScreeningLaw::audit_now(double d_over_B) {
-    log_.audits.push_back(audit());
-    log_.audits.back().d_over_B = d_over_B;
+    AuditRow row = audit();
+    if (row.points == 0) return;  // grains answer for the whole sample: nothing to tell
+    row.d_over_B = d_over_B;
+    log_.audits.push_back(row);
 }
 
 std::vector<std::int32_t> ScreeningLaw::watch(std::span<const std::int32_t>) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,14 @@
 #include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
+
+// Sixteen disks on a square lattice that just touch: an elastic solid with a known answer, as packing CSV.
+inline std::string lattice() {
+    std::string text = "# {}\n# cell\n# 0.08 0 0 0.08\nid,x,y,r\n";
+    for (int id = 0; id < 16; ++id)
+        text += fmt::format("{},{},{},0.01\n", id, 0.01 + 0.02 * (id % 4), 0.01 + 0.02 * (id / 4));
+    return text;
+}
 
 // Exit code 2, exactly one line on stderr that starts with `where` and holds `problem`, a reason and a
 // suggestion.

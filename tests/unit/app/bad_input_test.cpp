@@ -14,7 +14,7 @@ constexpr const char* path_test =
 TEST(BadInput, UnknownKeyOfATest) {
     const Shell shell("unknown_key");
     shell.write("t.toml", "kind = \"biaxial\"\naxial_strian = 0.1\n");
-    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.01\n");
+    shell.write("p.csv", lattice());
     expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "t.toml:2", "axial_strian");
     EXPECT_EQ(shell.files(), 2);
 }
@@ -51,7 +51,7 @@ std::string test_of(const std::string& mode, const std::string& rate, int steps)
 
 TEST(BadInput, PathThatCrushesTheGrains) {
     const Shell shell("crushed");
-    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.04\n");
+    shell.write("p.csv", lattice());
     for (const std::string mode : {"reference", "fast"}) {
         shell.write("t.toml", test_of(mode, "100", 1000));  // to a seventh of the area
         expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "element test", "");
@@ -61,10 +61,40 @@ TEST(BadInput, PathThatCrushesTheGrains) {
 
 TEST(BadInput, TimeStepThatNoContactFollows) {
     const Shell shell("time_step");
-    shell.write("p.csv", std::string(header) + "0,0.05,0.05,0.005\n");
+    shell.write("p.csv", lattice());
     shell.write("t.toml", "time_step = \"1e-3 s\"\n" + test_of("reference", "0.1", 10));
     expect_bad_input(shell.run("rve test t.toml --packing p.csv -o out.csv"), "element test", "time_step");
     EXPECT_EQ(shell.files(), 2);
+}
+
+TEST(BadInput, PackingOfTooFewGrains) {
+    const Shell shell("few");
+    shell.write("t.toml", path_test);
+    shell.write("one.csv", std::string(header) + "0,0.05,0.05,0.01\n");
+    shell.write("two.csv", std::string(header) + "0,0.05,0.05,0.01\n1,0.02,0.05,0.01\n");
+    expect_bad_input(shell.run("rve test t.toml --packing one.csv -o out.csv"), "one.csv", "1 grain (");
+    expect_bad_input(shell.run("rve bench --packing two.csv"), "two.csv", "2 grains");
+    shell.write("s.toml", "[grains]\npacking = \"two.csv\"\n");
+    expect_bad_input(shell.run("run s.toml -o out"), "two.csv", "2 grains");
+}
+
+TEST(BadInput, PressureThatGrainsDoNotBear) {
+    const Shell shell("pressed");
+    shell.write("r.toml", "pressure = \"10 MPa\"\n[grains]\ncount = 60\n");
+    expect_bad_input(shell.run("rve prepare r.toml -o p.h5"), "r.toml:1", "bear 3000 kPa");
+    shell.write("s.toml", "[ground]\nsurcharge = \"5 MPa\"\n");
+    expect_bad_input(shell.run("run s.toml -o out"), "s.toml:2", "bear 3000 kPa");
+    shell.write("c.toml", "[grains]\nconsolidation_pressure = \"5 MPa\"\n");
+    expect_bad_input(shell.run("rve prepare c.toml -o p.h5"), "c.toml:2", "bear 3000 kPa");
+    EXPECT_EQ(shell.files(), 3);
+}
+
+TEST(BadInput, GrainsThatRingOnNameTheirDamping) {
+    const Shell shell("ringing");
+    shell.write("s.toml", "[grains]\ndamping = 0\n");
+    expect_bad_input(shell.run("run s.toml -o out"), "s.toml:2", "grains.damping");
+    shell.write("r.toml", "[grains]\nradius_min = \"0.01 mm\"\n");
+    expect_bad_input(shell.run("rve prepare r.toml -o p.h5"), "r.toml:2", "grains.radius_min");
 }
 
 TEST(BadInput, TruncatedOrForeignHdf5) {

@@ -14,14 +14,6 @@
 namespace sandgraph::app {
 namespace {
 
-// Sixteen disks on a square lattice that just touch: an elastic solid with a known answer.
-std::string lattice() {
-    std::string text = "# {}\n# cell\n# 0.08 0 0 0.08\nid,x,y,r\n";
-    for (int id = 0; id < 16; ++id)
-        text += fmt::format("{},{},{},0.01\n", id, 0.01 + 0.02 * (id % 4), 0.01 + 0.02 * (id / 4));
-    return text;
-}
-
 std::string compression(const char* mode) {
     return std::string("kind = \"path\"\nmode = \"") + mode +
            "\"\nrelax_steps = 0\nsample_every = 100\n[[segment]]\nvelocity_gradient = [[-0.1, 0], [0, "
@@ -145,6 +137,22 @@ TEST(Keys, NameEveryTable) {
         spec.kind = static_cast<scene::TestKind>(kind);
         expect_all_named(scene::element_test_keys(spec), shell.run("keys " + kinds[kind]).out);
     }
+}
+
+// Soft ground under its own weight lifts the plate at first: the plate does no work, and nothing is compared.
+TEST(EnergyRatio, OverNoWorkIsADashAndNull) {
+    const Shell shell("energy");
+    shell.write(
+        "s.toml",
+        "[domain]\nwidth = \"4 m\"\ndepth = \"4 m\"\ncell = \"0.125 m\"\n[anchor]\nembedment_ratio = 2\n"
+        "thickness = \"0.125 m\"\npull_to = 0.02\nfriction_angle = \"0 deg\"\n[ground]\nlaw = "
+        "\"mohr_coulomb\"\n[continuum]\nfriction_angle = \"0 deg\"\n[output]\nframes = [0]\n");
+    const auto told = shell.run("run s.toml -o out --threads 1");
+    ASSERT_EQ(told.exit_code, 0) << told.err;
+    EXPECT_NE(told.out.find("plate's work: -"), std::string::npos) << told.out;
+    EXPECT_EQ((told.out + told.err).find("e+3"), std::string::npos) << told.out << told.err;
+    EXPECT_NE(shell.read("out/summary.json").find("\"kinetic_to_strain_energy_max\": null"),
+              std::string::npos);
 }
 
 }  // namespace

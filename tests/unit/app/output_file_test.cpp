@@ -10,11 +10,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTest =
     "kind = \"path\"\nrelax_steps = 0\n[[segment]]\nvelocity_gradient = [[0, 0], [0, 0]]\nsteps = 1\n";
-constexpr const char* kPacking = "# {}\n# cell\n# 0.1 0 0 0.1\nid,x,y,r\n0,0.05,0.05,0.01\n";
 
 Shell::Outcome write_to(const Shell& shell, const std::string& name) {
     shell.write("t.toml", kTest);
-    shell.write("p.csv", kPacking);
+    shell.write("p.csv", lattice());
     return shell.run("rve test t.toml --packing p.csv -o " + name);
 }
 

@@ -33,7 +33,14 @@ TEST(AuditEstimate, OfACensusIsExact) {
     EXPECT_DOUBLE_EQ(row.mean, 0.03);
     EXPECT_EQ(row.ci95, 0);
     EXPECT_TRUE(std::isnan(estimate({}, 100).mean));
-    EXPECT_TRUE(std::isnan(estimate(std::vector<double>{1}, 100).ci95));
+}
+
+// Of one point little is known, and that is said: the interval reaches down to it from nearly everything.
+TEST(AuditEstimate, OfOnePointIsWideAndANumber) {
+    const AuditRow row = estimate(std::vector<double>{0.036}, 100);
+    EXPECT_DOUBLE_EQ(row.mean, 0.036);
+    EXPECT_GT(row.ci95, 0.8);
+    EXPECT_LE(row.ci95, 1);
 }
 
 // Of 1,000 samples of 2 %, how many intervals contain the truth.
