@@ -1,9 +1,9 @@
 #include "training/card.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "surrogate/features.hpp"
-#include "training/element_law.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -12,13 +12,10 @@ using Json = nlohmann::ordered_json;
 
 Json ranges(const Law& law) {
     Json out = Json::object();
-    const auto* elements = dynamic_cast<const ElementLaw*>(&law);
-    if (!elements) return out;
-    for (std::size_t i = 0; i < surrogate::feature_count; ++i) {
-        const auto k = static_cast<std::int64_t>(i);
-        out[surrogate::feature_names[i]] = {elements->low[k].item<double>(),
-                                            elements->high[k].item<double>()};
-    }
+    const std::optional<surrogate::Model> model = law.served(1);
+    if (!model) return out;
+    for (std::size_t i = 0; i < surrogate::feature_count; ++i)
+        out[surrogate::feature_names[i]] = {model->ranges[i].low, model->ranges[i].high};
     return out;
 }
 
@@ -38,6 +35,19 @@ Json errors(std::span<const ErrorTable> tables) {
     return out;
 }
 
+Json compared(const Verdict& verdict) {
+    if (verdict.comparisons.empty()) return nullptr;
+    Json out{{"with", verdict.start}, {"verdict", verdict.words}, {"data", Json::array()}};
+    for (const Comparison& c : verdict.comparisons)
+        out["data"].push_back({{"data", c.data},
+                               {"histories", c.histories},
+                               {"before", c.before},
+                               {"after", c.after},
+                               {"change", c.change},
+                               {"interval95", std::isfinite(c.interval) ? Json(c.interval) : Json()}});
+    return out;
+}
+
 Json data_part(const TrainingData& data) {
     const Split& s = data.split;
     return {{"hash", data.hash},
@@ -46,7 +56,8 @@ Json data_part(const TrainingData& data) {
              {{"training", s.training.size()},
               {"validation", s.validation.size()},
               {"held out, new seeds", s.new_seeds.size()},
-              {"held out, known seeds", s.known_seeds.size()}}},
+              {"held out, known seeds", s.known_seeds.size()},
+              {"guard", s.guard.size()}}},
             {"seeds_validation", s.seeds_validation},
             {"seeds_held_out", s.seeds_held_out}};
 }
@@ -54,7 +65,7 @@ Json data_part(const TrainingData& data) {
 }  // namespace
 
 std::string model_card(const scene::TrainSpec& spec, const TrainingData& data, const Trained& trained,
-                       std::span<const ErrorTable> tables, const std::string& command,
+                       std::span<const ErrorTable> tables, const Verdict& verdict, const std::string& command,
                        const std::string& revision) {
     const Json card{{"rung", name_of(spec.rung)},
                     {"members", spec.members},
@@ -66,6 +77,7 @@ std::string model_card(const scene::TrainSpec& spec, const TrainingData& data, c
                     {"validation_loss", trained.validation},
                     {"wall_s", trained.seconds},
                     {"ranges", ranges(*trained.law)},
+                    {"compared", compared(verdict)},
                     {"error",
                      "|sigma - sigma_DEM| (Frobenius) / max(p_DEM, 1 kPa), ensemble mean, every "
                      "training step of a history"},

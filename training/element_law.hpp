@@ -15,6 +15,10 @@ class ElementLaw : public Law {
     ElementLaw(Rung rung, std::int64_t members, std::uint64_t seed);
     Prediction rollout(const Batch& batch) const override;
     std::int64_t members() const override { return exponent.size(0); }
+    void start_from(const surrogate::Model& model, const std::string& file) override;
+    void hold_critical_state() override { measured_critical = true; }
+    void learn_ranges(std::span<const Batch> batches) override;
+    std::optional<surrogate::Model> served(double substep) const override;
     Rung rung() const { return rung_; }
     // What a step uses, member first: exponent, bulk, critical state, share, strength, W1, b1, W2, b2, W3, b3
     // (dilatancy and the shift of the bounded factors included).
@@ -55,6 +59,7 @@ class ElementLaw : public Law {
     static void lead(const Batch& batch, std::int64_t step, State& state);
 
     Rung rung_;
+    bool ranged_ = false;  // low and high tell what it was trained on, and not only where it starts
 };
 
 // ElementLaw::rollout with the coefficients of a step's beginning as one operation of torch. The gradient

@@ -2,10 +2,13 @@
 #include <torch/nn/module.h>
 
 #include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "scene/train_spec.hpp"
+#include "surrogate/model.hpp"
 #include "training/batch.hpp"
 
 namespace sandgraph::training {
@@ -22,6 +25,14 @@ class Law : public torch::nn::Module {
   public:
     virtual Prediction rollout(const Batch& batch) const = 0;
     virtual std::int64_t members() const = 0;
+
+    // Only of laws that can be served; the others do nothing. Parameters and ranges of a served model (`file`
+    // is named in the InputError when shapes differ); critical state held as measured; feature ranges as the
+    // batches show them, or wider; the law as plain numbers, `substep` the largest strain of its integration.
+    virtual void start_from(const surrogate::Model&, const std::string& file);
+    virtual void hold_critical_state() {}
+    virtual void learn_ranges(std::span<const Batch>) {}
+    virtual std::optional<surrogate::Model> served(double substep) const;
 };
 
 using Rung = scene::TrainRung;

@@ -6,12 +6,14 @@
 #include "base/process.hpp"
 #include "base/revision.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
+#include "io/history_file.hpp"
+#include "scene/probe_spec.hpp"
 #include "surrogate/load_surrogate.hpp"
 #include "surrogate/model_file.hpp"
 #include "training/card.hpp"
-#include "training/element_law.hpp"
 #include "training/evaluate.hpp"
-#include "training/export_model.hpp"
+#include "training/verdict.hpp"
 
 namespace sandgraph::training {
 namespace {
@@ -33,24 +35,48 @@ fs::path beside(const std::string& out, const std::string& ending) {
     return fs::path(out).replace_extension(ending);
 }
 
-void add_tables(const TrainingData& data, const Law& law, Rung rung, std::vector<ErrorTable>& tables) {
+void add_tables(const TrainingData& data, const Law& law, const std::string& of,
+                std::vector<ErrorTable>& tables) {
     const auto add = [&](const char* name, const std::vector<Batch>& batches) {
-        if (!batches.empty())
-            tables.push_back({name_of(rung), name, error_rows(data.set, evaluate(law, batches))});
+        if (!batches.empty()) tables.push_back({of, name, error_rows(data.set, evaluate(law, batches))});
     };
     add("new seeds", data.new_seeds);
     add("known seeds", data.known_seeds);
     add("new seeds with p led", data.led_new_seeds);
+    add("shipped probes", data.guard);
+}
+
+// Beside the model that training started from, on what neither was trained on here.
+Verdict judge(const TrainingData& data, const Law& law, const std::string& start) {
+    const std::shared_ptr<Law> before = law_of(start);
+    Verdict out{start, "", {}};
+    const auto compared = [&](const char* name, std::vector<Batch> batches) {
+        if (batches.empty()) return Comparison{name};
+        out.comparisons.push_back(compare(name, evaluate(*before, batches), evaluate(law, batches)));
+        return out.comparisons.back();
+    };
+    std::vector<Batch> own = data.new_seeds;
+    own.insert(own.end(), data.known_seeds.begin(), data.known_seeds.end());
+    const Comparison held_out = compared("held out of the logs", own),
+                     guard = compared("shipped probes", data.guard);
+    out.words = verdict(held_out, guard, start);
+    return out;
+}
+
+std::string text_of(const Verdict& verdict) {
+    if (verdict.comparisons.empty()) return "trained from drawn weights: no model to compare with\n";
+    std::string text;
+    for (const Comparison& c : verdict.comparisons) text += comparison_text(c);
+    return text + verdict.words + "\n";
 }
 
 void write_model(const scene::TrainSpec& spec, const TrainingData& data, const Law& law,
                  const std::string& out) {
-    const auto* elements = dynamic_cast<const ElementLaw*>(&law);
-    if (!elements) return;
-    surrogate::Model model = export_model(*elements, served_substep);
-    model.data_hash = data.hash;
-    model.description = fmt::format("{} from {}", name_of(spec.rung), spec.file);
-    surrogate::write_model(out, model);
+    std::optional<surrogate::Model> model = law.served(served_substep);
+    if (!model) return;
+    model->data_hash = data.hash;
+    model->description = fmt::format("{} from {}", name_of(spec.rung), spec.file);
+    surrogate::write_model(out, *model);
     surrogate::load_surrogate(out);  // refuses what cannot be served
 }
 
@@ -65,18 +91,29 @@ void check_servable(const scene::TrainSpec& spec) {
 
 // A model made before, on the histories that this recipe holds out.
 int evaluate_only(const TrainingData& data, const std::string& file) {
-    const surrogate::Model model = surrogate::read_model(file).model;
-    ElementLaw law(Rung::learned, std::ssize(model.members), 1);
-    start_from(law, model, file);
-    law.to(torch::kFloat);  // as the batches are
-    for (std::size_t i = 0; i < model.ranges.size(); ++i) {
-        law.low[static_cast<std::int64_t>(i)] = model.ranges[i].low;
-        law.high[static_cast<std::int64_t>(i)] = model.ranges[i].high;
-    }
     std::vector<ErrorTable> tables;
-    add_tables(data, law, Rung::learned, tables);
+    add_tables(data, *law_of(file), name_of(Rung::learned), tables);
     tell(error_text(tables));
     return done;
+}
+
+// The log that was made for this recipe: between its making and now another training may have had the folder.
+void check_probes(const scene::TrainSpec& spec, const std::string& log) {
+    if (log.empty() || spec.probe.empty()) return;
+    if (io::read_history_source(log).text == scene::read_probe(spec.probe).text) return;
+    throw InputError({log}, "not the probes of this recipe",
+                     "another training of the same name made them anew",
+                     "give each model a name of its own with -o");
+}
+
+void write_results(const TrainCommand& command, const scene::TrainSpec& spec, const TrainingData& data,
+                   const Trained& chosen, const std::vector<ErrorTable>& tables, const Verdict& verdict) {
+    const std::string again = fmt::format("sandgraph train {} -o {}", command.recipe, command.out);
+    io::write_text(beside(command.out, ".card.json"),
+                   model_card(spec, data, chosen, tables, verdict, again, revision()));
+    io::write_text(beside(command.out, ".errors.csv"), error_csv(tables));
+    tell(fmt::format("{}\n{}: {} epochs, {:.0f} s\n{}", error_text(tables), command.out, chosen.epochs,
+                     chosen.seconds, text_of(verdict)));
 }
 
 // Writes OUT, OUT's card and error table; answers the exit code: 0, or 3 when stopped and resumable.
@@ -84,6 +121,9 @@ int run(const TrainCommand& command) {
     const scene::TrainSpec spec = scene::read_train(command.recipe);
     if (!command.measure) check_servable(spec);
     catch_interrupts();
+    std::optional<io::FolderLock> owner;
+    if (!command.out.empty()) owner.emplace(scene::training_folder(command.out));
+    check_probes(spec, command.probes);
     std::vector<std::string> logs = spec.logs;
     if (!command.probes.empty()) logs.push_back(command.probes);
     const TrainingData data = load_data(spec, logs);
@@ -98,18 +138,18 @@ int run(const TrainCommand& command) {
         const auto trained =
             train(data, spec, rung, beside(command.out, fmt::format(".{}.state", name_of(rung))));
         if (!trained) return stopped;
-        add_tables(data, *trained->law, rung, tables);
+        add_tables(data, *trained->law, name_of(rung), tables);
         if (rung == spec.rung) chosen = trained;
+    }
+    Verdict verdict;
+    if (!spec.start.empty() && spec.rung == Rung::learned) {
+        verdict = judge(data, *chosen->law, spec.start);
+        add_tables(data, *law_of(spec.start), "start", tables);
     }
     const auto floor = noise_floor(data.set, data.rule, spec.strain_max);
     tables.insert(tables.end(), floor.begin(), floor.end());
     if (!command.measure) write_model(spec, data, *chosen->law, command.out);
-    const std::string again = fmt::format("sandgraph train {} -o {}", command.recipe, command.out);
-    io::write_text(beside(command.out, ".card.json"),
-                   model_card(spec, data, *chosen, tables, again, revision()));
-    io::write_text(beside(command.out, ".errors.csv"), error_csv(tables));
-    tell(fmt::format("{}\n{}: {} epochs, {:.0f} s\n", error_text(tables), command.out, chosen->epochs,
-                     chosen->seconds));
+    write_results(command, spec, data, *chosen, tables, verdict);
     for (const Rung rung : rungs) fs::remove(beside(command.out, fmt::format(".{}.state", name_of(rung))));
     return done;
 }

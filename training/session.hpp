@@ -14,13 +14,17 @@ struct TrainingData {
     Split split;
     CutRule rule;
     std::vector<Batch> training, validation;
-    std::vector<Batch> new_seeds, known_seeds;  // held out; rollouts know nothing but the strain
-    std::vector<Batch> led_new_seeds;           // p led as in training
+    std::vector<Batch> new_seeds, known_seeds;   // held out; rollouts know nothing but the strain
+    std::vector<Batch> led_new_seeds;            // p led as in training
+    std::vector<Batch> guard_validation, guard;  // of the shipped probes: led; knowing the strain alone
     std::string hash;  // of the logs' and the starting model's contents and of the recipe
 };
 
 // `logs`: the recipe's own and what was probed for it.
 TrainingData load_data(const scene::TrainSpec& spec, const std::vector<std::string>& logs);
+
+// The law of a model file, as trained.
+std::shared_ptr<Law> law_of(const std::string& file);
 
 struct Trained {
     std::shared_ptr<Law> law;

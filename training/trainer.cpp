@@ -108,7 +108,15 @@ void Trainer::keep_better(const Tensor& error) {
     }
 }
 
-EpochReport Trainer::epoch(const Batches& training, const Batches& validation) {
+torch::Tensor Trainer::validate(const Batches& validation, const Batches& guard) const {
+    return guard.empty() ? validate(validation) : 0.5 * (validate(validation) + validate(guard));
+}
+
+void Trainer::keep_start(const Batches& validation, const Batches& guard) {
+    keep_better(validate(validation, guard));
+}
+
+EpochReport Trainer::epoch(const Batches& training, const Batches& validation, const Batches& guard) {
     SG_EXPECT(!training.empty() && !validation.empty());
     const double start = wall_clock();
     const double turn = std::numbers::pi * epoch_ / std::max(1, options_.epochs - 1);
@@ -118,7 +126,7 @@ EpochReport Trainer::epoch(const Batches& training, const Batches& validation) {
     EpochReport report{.epoch = ++epoch_, .epochs = options_.epochs};
     for (const std::size_t k : shuffled(training.size(), options_.seed, epoch_))
         report.loss += descend(training[k]) / static_cast<double>(training.size());
-    const Tensor error = validate(validation);
+    const Tensor error = validate(validation, guard);
     keep_better(error);
     report.validation = error.mean().item<double>();
     report.best = best_error_.mean().item<double>();

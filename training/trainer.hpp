@@ -28,7 +28,11 @@ class Trainer {
             std::string identity);
 
     // One pass over the training batches in an order drawn from the seed and the epoch.
-    EpochReport epoch(const Batches& training, const Batches& validation);
+    // Validation is the mean of `validation` and, if there is any, `guard`.
+    EpochReport epoch(const Batches& training, const Batches& validation, const Batches& guard = {});
+    // The parameters as they are count as an epoch: training on from a good model keeps it unless it gets
+    // better.
+    void keep_start(const Batches& validation, const Batches& guard);
     bool done() const { return epoch_ >= options_.epochs || idle_ >= options_.patience; }
     int epochs() const { return epoch_; }
     // Puts the best parameters of every member into the law.
@@ -44,6 +48,7 @@ class Trainer {
     double descend(const Batch& batch);
     void clip_gradients();
     torch::Tensor validate(const Batches& validation) const;
+    torch::Tensor validate(const Batches& validation, const Batches& guard) const;
     void keep_better(const torch::Tensor& error);
 
     std::shared_ptr<Law> law_;

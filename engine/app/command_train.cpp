@@ -8,6 +8,7 @@
 #include "base/file_name.hpp"
 #include "base/process.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
 #include "io/history_file.hpp"
 #include "laboratory/probe.hpp"
 #include "scene/train_spec.hpp"
@@ -40,6 +41,7 @@ std::string probe_log(const scene::TrainSpec& spec, const std::string& out) {
     const scene::ProbeSpec probe = scene::read_probe(spec.probe);
     if (fs::exists(log) && io::read_history_source(log).text == probe.text) return log.string();
     io::require_writable_file(log);
+    const io::FolderLock owner(scene::training_folder(out));  // the trainer takes it over
     StageProgress progress;
     laboratory::write_probe(probe, log, progress.callback());
     return log.string();

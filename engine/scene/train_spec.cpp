@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+
 #include "scene/effects.hpp"
 #include "scene/file_kind.hpp"
 #include "scene/toml_file.hpp"
@@ -37,9 +39,13 @@ void add_data_keys(KeyTable& keys, TrainSpec& spec) {
     auto data = keys.section("data");
     data.input_file("probe", spec.probe, "probe recipe: its history log is made first, beside the model");
     data.add("logs", std::make_unique<InputFiles>(spec.logs), "history logs of runs or probes");
-    data.integer("held_out_seeds", spec.held_out_seeds, 0, "highest packing seeds, never trained on");
-    data.integer("validation_seeds", spec.validation_seeds, 1,
-                 "packing seeds before those: they choose the best epoch");
+    data.integer("held_out_seeds", spec.held_out_seeds, 0,
+                 "highest packing seeds of probes, never trained on; of runs only if asked for");
+    data.integer("validation_seeds", spec.validation_seeds, 0,
+                 "packing seeds before those: they choose the best epoch; too few seeds: histories do");
+    data.input_file("guard", spec.guard,
+                    "log of probes that guard retraining against forgetting; default: table1.guard.h5 beside "
+                    "model.start");
     data.integer("held_out_every", spec.held_out_every, 0,
                  "of the other seeds every so-manieth history is held out, too; 0: none");
     data.integer("histories", spec.histories, 0, "trained on at most, drawn evenly from the rest; 0: all");
@@ -78,6 +84,11 @@ void add_training_keys(KeyTable& keys, TrainSpec& spec) {
                   "while the stress has changed by less than this share of p, errors count as shares of it");
 }
 
+std::string guard_beside(const std::string& model) {
+    const std::filesystem::path file = std::filesystem::path(model).parent_path() / "table1.guard.h5";
+    return std::filesystem::exists(file) ? file.string() : "";
+}
+
 }  // namespace
 
 KeyTable train_keys(TrainSpec& spec) {
@@ -97,6 +108,10 @@ KeyTable train_keys(TrainSpec& spec) {
     return keys;
 }
 
+std::string training_folder(const std::string& out) {
+    return std::filesystem::path(out).replace_extension(".training").string();
+}
+
 TrainSpec read_train(const std::string& file) {
     TrainSpec spec;
     spec.file = file;
@@ -109,6 +124,8 @@ TrainSpec read_train(const std::string& file) {
     if (spec.probe.empty() && spec.logs.empty())
         throw InputError({file, 0}, "nothing to train on", "there are neither logs nor a probe recipe",
                          "write logs = [\"FILE.h5\"] or probe = \"FILE.toml\" under [data]");
+    spec.seeds_asked = keys.at("data.held_out_seeds").given || keys.at("data.validation_seeds").given;
+    if (!spec.start.empty() && spec.guard.empty()) spec.guard = guard_beside(spec.start);
     return spec;
 }
 

@@ -55,6 +55,7 @@ struct TrainSpec {
     std::vector<std::string> logs;  // history logs of runs or probes
     int held_out_seeds = 1;         // packing seeds never trained on, the highest ones
     int validation_seeds = 1;       // those before them choose when to stop
+    bool seeds_asked = false;       // one of the two stands in the recipe
     int held_out_every = 10;        // of the other seeds every so-manieth history is held out, too
     int histories = 0;              // trained on at most, drawn evenly; 0: all that are left
     double strain_max = 0.05;       // length of the path up to which a history trains
@@ -64,6 +65,7 @@ struct TrainSpec {
     TrainTraits traits = TrainTraits::all;
     bool measured_critical = false;  // critical state as measured, not trained
     std::string start;               // model whose weights training starts from; "": drawn
+    std::string guard;               // log of probes that nothing is trained on: has it forgotten them?
 
     TrainOptions training;
     int threads = 1;  // of libtorch
@@ -72,6 +74,10 @@ struct TrainSpec {
 
 // The keys of a training recipe, filling `spec`, which must outlive the table.
 KeyTable train_keys(TrainSpec& spec);
+
+// The folder that whoever makes the model `out` locks meanwhile: model, card, probes and state belong
+// together.
+std::string training_folder(const std::string& out);
 
 // Reads and checks a training recipe. Throws InputError.
 TrainSpec read_train(const std::string& file);

@@ -7,7 +7,6 @@
 #include "stress/increment.hpp"
 #include "support/random_histories.hpp"
 #include "surrogate/reference.hpp"
-#include "training/export_model.hpp"
 #include "training/loss.hpp"
 
 namespace sandgraph::training {
@@ -61,7 +60,7 @@ TEST_P(EveryElementRung, FusedRolloutGivesTheStressesAndGradientsOfTheStepByStep
 void expect_served_alike(const ElementLaw& law, const Sample& sample, std::int64_t b) {
     const Batch& batch = sample.batch();
     const Prediction rolled = law.rollout(batch);
-    const surrogate::Reference served(export_model(law, 1));
+    const surrogate::Reference served(*law.served(1));
     const History& history = sample.set.histories[batch.histories[b].item<std::int64_t>()];
     const io::HistoryPacking& start = sample.set.start_of(history);
     std::vector<double> state(served.state_size());
@@ -86,7 +85,7 @@ void expect_served_alike(const ElementLaw& law, const Sample& sample, std::int64
 TEST_P(EveryElementRung, IsServedAsItIsTrainedToTwelveDigits) {
     const Sample sample({.least = 0, .most = 4e-4, .share = 0, .lead_from = 0, .lead_strain = 0});
     const auto law = law_of(GetParam());
-    set_ranges(*law, sample.batches);
+    law->learn_ranges(sample.batches);
     law->midpoint = true;
     const torch::NoGradGuard no_gradients;
     for (std::int64_t b = 0; b < sample.batch().size(); ++b) expect_served_alike(*law, sample, b);
@@ -94,15 +93,14 @@ TEST_P(EveryElementRung, IsServedAsItIsTrainedToTwelveDigits) {
 
 TEST(ElementLaw, GoesOnFromAServedModelAsItWas) {
     const auto first = law_of(Rung::learned), second = std::make_shared<ElementLaw>(Rung::learned, 3, 8);
-    start_from(*second, export_model(*first, 1e-4), "model.h5");
+    second->start_from(*first->served(1e-4), "model.h5");
     const Sample sample;
     const torch::NoGradGuard no_gradients;
     const Prediction a = first->rollout(sample.batch()), b = second->rollout(sample.batch());
     EXPECT_LT(((a.p - b.p) / a.p).abs().max().item<double>(), 1e-10);
     EXPECT_LT(((a.s - b.s).norm(2, 3) / a.p).abs().max().item<double>(), 1e-10);
-    EXPECT_THROW(
-        start_from(*std::make_shared<ElementLaw>(Rung::learned, 2, 8), export_model(*first, 1e-4), "m.h5"),
-        InputError);
+    EXPECT_THROW(std::make_shared<ElementLaw>(Rung::learned, 2, 8)->start_from(*first->served(1e-4), "m.h5"),
+                 InputError);
 }
 
 TEST(ElementLaw, KeepsTheMeasuredCriticalStateWhereItIsTold) {
@@ -110,9 +108,10 @@ TEST(ElementLaw, KeepsTheMeasuredCriticalStateWhereItIsTold) {
     const torch::NoGradGuard no_gradients;
     law->critical.add_(1);
     const surrogate::CriticalState measured;
-    EXPECT_GT(export_model(*law, 1e-4).members[0].critical.void_ratio, measured.void_ratio + 0.01);
+    EXPECT_GT(law->served(1e-4)->members[0].critical.void_ratio, measured.void_ratio + 0.01);
     law->measured_critical = true;
-    for (const surrogate::Member& m : export_model(*law, 1e-4).members) {
+    const surrogate::Model model = *law->served(1e-4);
+    for (const surrogate::Member& m : model.members) {
         EXPECT_DOUBLE_EQ(m.critical.void_ratio, measured.void_ratio);
         EXPECT_DOUBLE_EQ(m.critical.slope, measured.slope);
     }

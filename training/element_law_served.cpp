@@ -1,4 +1,5 @@
-#include "training/export_model.hpp"
+#include "surrogate/model.hpp"
+#include "training/element_law.hpp"
 
 #include <fmt/format.h>
 #include <torch/types.h>
@@ -82,48 +83,55 @@ void check_shape(const ElementLaw& law, const surrogate::Model& model, const std
 
 }  // namespace
 
-void set_ranges(ElementLaw& law, std::span<const Batch> batches) {
+void ElementLaw::learn_ranges(std::span<const Batch> batches) {
     const torch::NoGradGuard no_gradients;
     constexpr double outliers = 1e-3, margin = 0.02;
     std::vector<Tensor> seen;
-    for (const Batch& batch : batches) seen.push_back(features_seen(law, batch));
+    for (const Batch& batch : batches) seen.push_back(features_seen(*this, batch));
     const Tensor sorted = std::get<0>(torch::cat(seen, 1).sort(1));
     const auto last = sorted.size(1) - 1;
     const auto cut = static_cast<std::int64_t>(outliers * static_cast<double>(last));
-    const Tensor low = sorted.select(1, cut), high = sorted.select(1, last - cut);
-    const Tensor wider = margin * (high - low) + 1e-3;
-    law.low.copy_(low - wider);
-    law.high.copy_(high + wider);
+    const Tensor first_seen = sorted.select(1, cut), last_seen = sorted.select(1, last - cut);
+    const Tensor wider = margin * (last_seen - first_seen) + 1e-3;
+    // What a law was trained on before stays known: the guard watches over that.
+    low.copy_(ranged_ ? torch::minimum(low, first_seen - wider) : first_seen - wider);
+    high.copy_(ranged_ ? torch::maximum(high, last_seen + wider) : last_seen + wider);
+    ranged_ = true;
 }
 
-void start_from(ElementLaw& law, const surrogate::Model& model, const std::string& file) {
+void ElementLaw::start_from(const surrogate::Model& model, const std::string& file) {
     const torch::NoGradGuard no_gradients;
-    check_shape(law, model, file);
+    check_shape(*this, model, file);
     for (std::size_t k = 0; k < model.members.size(); ++k) {
         const auto e = static_cast<std::int64_t>(k);
         const surrogate::Member& m = model.members[k];
-        law.exponent[e].fill_(std::log(m.exponent / (1 - m.exponent)));
-        law.log_bulk[e].fill_(std::log(m.bulk));
-        law.critical[e].copy_(tensor_of({std::log(m.critical.mature), std::log(m.critical.pull),
-                                         m.critical.void_ratio / 0.04, std::log(m.critical.slope)}));
-        law.share[e].copy_(tensor_of(m.share).log());
-        law.log_strength[e].copy_(tensor_of(m.strength).log());
-        law.dilatancy[e].copy_(tensor_of(m.dilatancy));
-        set_layer(law.W1[e], law.b1[e], m.layers[0]);
-        set_layer(law.W2[e], law.b2[e], m.layers[1]);
-        set_layer(law.W3[e], law.b3[e], m.layers[2]);
+        exponent[e].fill_(std::log(m.exponent / (1 - m.exponent)));
+        log_bulk[e].fill_(std::log(m.bulk));
+        critical[e].copy_(tensor_of({std::log(m.critical.mature), std::log(m.critical.pull),
+                                     m.critical.void_ratio / 0.04, std::log(m.critical.slope)}));
+        share[e].copy_(tensor_of(m.share).log());
+        log_strength[e].copy_(tensor_of(m.strength).log());
+        dilatancy[e].copy_(tensor_of(m.dilatancy));
+        set_layer(W1[e], b1[e], m.layers[0]);
+        set_layer(W2[e], b2[e], m.layers[1]);
+        set_layer(W3[e], b3[e], m.layers[2]);
     }
+    for (std::size_t i = 0; i < model.ranges.size(); ++i) {
+        low[static_cast<std::int64_t>(i)] = model.ranges[i].low;
+        high[static_cast<std::int64_t>(i)] = model.ranges[i].high;
+    }
+    ranged_ = true;
 }
 
-surrogate::Model export_model(const ElementLaw& law, double substep) {
+std::optional<surrogate::Model> ElementLaw::served(double substep) const {
     surrogate::Model model;
     model.elements = ElementLaw::elements;
-    model.frictional = law.rung() != Rung::elastic;
+    model.frictional = rung_ != Rung::elastic;
     model.substep = substep;
     for (std::size_t i = 0; i < model.ranges.size(); ++i)
-        model.ranges[i] = {law.low[static_cast<std::int64_t>(i)].item<double>(),
-                           law.high[static_cast<std::int64_t>(i)].item<double>()};
-    for (std::int64_t e = 0; e < law.members(); ++e) model.members.push_back(member_of(law, e));
+        model.ranges[i] = {low[static_cast<std::int64_t>(i)].item<double>(),
+                           high[static_cast<std::int64_t>(i)].item<double>()};
+    for (std::int64_t e = 0; e < members(); ++e) model.members.push_back(member_of(*this, e));
     return model;
 }
 
