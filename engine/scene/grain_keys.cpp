@@ -106,9 +106,9 @@ void check_pressure(const Key& key, double pressure, const Grains& g) {
     if (!g.packing.empty() || pressure <= most) return;
     throw InputError(
         key.where, fmt::format("{} = {}", key.full_name(), key.value->shown()),
-        fmt::format("a mean stress of {:.4g} kPa presses the grains into each other, which bear {:.4g} kPa",
+        fmt::format("a mean stress of {:.5g} kPa presses the grains into each other, which bear {:.5g} kPa",
                     pressure / 1e3, most / 1e3),
-        fmt::format("write {:.4g} kPa less at least, or stiffer grains (grains.young)",
+        fmt::format("write {:.5g} kPa less at least, or stiffer grains (grains.young)",
                     (pressure - most) / 1e3));
 }
 

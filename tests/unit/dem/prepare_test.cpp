@@ -150,10 +150,8 @@ TEST(CompressTo, WhatGrainsBearCanBeReadAgain) {
 TEST(Prepare, NamesTheDampingWhenGrainsRingOn) {
     Material ringing;
     ringing.damping = 0;
-    Recipe recipe = small(0.16);
-    recipe.count = 20;
     try {
-        prepare(recipe, ringing, fast_assemblies());
+        prepare({.count = 20}, ringing, fast_assemblies());
         ADD_FAILURE() << "came to rest";
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("grains.damping = 0"), std::string::npos) << error.what();
