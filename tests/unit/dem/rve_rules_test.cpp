@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dem/element_test/element_test.hpp"
+#include "dem/grain_scale.hpp"
 #include "dem/rve.hpp"
 #include "dem/stretch.hpp"
 #include "dem/time_step.hpp"
@@ -135,14 +136,14 @@ TEST(CriticalTimeStep, TheSmallestDiskBesideTheLargestDecides) {
     const double mass = 2650 * 0.1 * std::numbers::pi * 9e-6, k_n = 800e6 * 2 * 0.003 * 0.006 / 0.009;
     const double contacts = std::numbers::pi / std::asin(0.006 / 0.009);
     EXPECT_NEAR(critical_time_step(m, r), 2 / std::sqrt(contacts * k_n / mass), 1e-10);
-    m.young *= 1e4;
-    EXPECT_NEAR(preparation_time_step(m, r), 0.4 * critical_time_step(m, r), 1e-15);
+    const std::vector<double> uneven{0.006, 0.0003, 0.005};
+    EXPECT_NEAR(grain_scale(uneven, m).time_step, 0.4 * critical_time_step(m, uneven), 1e-15);
 }
 
-TEST(TypicalModulus, IsTheNormalStiffnessOfTwoMeanGrainsOverTwiceTheDepth) {
+TEST(GrainScale, ModulusIsTheNormalStiffnessOfTwoMeanGrainsOverTwiceTheDepth) {
     Material m;
     m.depth = 0.2;
-    EXPECT_NEAR(typical_modulus(std::vector<double>{0.004, 0.006}, m), 800e6 * 0.005 / 0.4, 1e-3);
+    EXPECT_NEAR(grain_scale(std::vector<double>{0.004, 0.006}, m).modulus, 800e6 * 0.005 / 0.4, 1e-3);
 }
 
 BiaxialRow row(double strain, double sin_phi) {
