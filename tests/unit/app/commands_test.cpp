@@ -9,7 +9,7 @@
 #include "scene/recipe_spec.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/train_spec.hpp"
-#include "tests/support/subprocess.hpp"
+#include "tests/unit/app/bad_input.hpp"
 
 namespace sandgraph::app {
 namespace {
