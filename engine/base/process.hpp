@@ -22,6 +22,9 @@ int run_program(std::vector<std::string> arguments, const std::filesystem::path&
 void catch_interrupts();
 bool interrupted();
 
+// What this process may use [B]: the machine's memory, less where its control group or its own limit says so.
+double memory_limit();
+
 // Leaves work that cannot go on from its middle (the making of a packing): its results are thrown away.
 struct Interrupted : std::exception {
     const char* what() const noexcept override { return "stopped; nothing was written"; }

@@ -20,7 +20,8 @@ void visit_keys(S& s, Visit&& visit) {
     visit("dem_steps", s.dem_steps), visit("rve_updates", s.rve_updates);
     visit("surrogate_updates", s.surrogate_updates);
     visit("dem_fraction_final", s.dem_fraction_final), visit("dem_fraction_mean", s.dem_fraction_mean);
-    visit("peak_load_N_per_m", s.breakout_load), visit("peak_d_over_B", s.breakout_d_over_B);
+    visit("breakout", s.breakout), visit("peak_load_N_per_m", s.breakout_load),
+        visit("peak_d_over_B", s.breakout_d_over_B);
     visit("n_gamma", s.n_gamma), visit("n_gamma_meyerhof_adams", s.n_gamma_meyerhof_adams);
     visit("n_gamma_biarez", s.n_gamma_biarez), visit("late_load_N_per_m", s.late_load);
     visit("kinetic_to_strain_energy_max", s.kinetic_to_strain_energy_max);
@@ -44,8 +45,16 @@ void get(const Json& value, T& to) {
     to = value.get<T>();
 }
 
+// Runs of earlier versions have no `breakout`; their criterion tells it.
+bool broke_out(const Json& json) { return json.value("breakout", json.value("breakout_criterion", 2.0) < 2); }
+
 auto reader(const Json& json) {
-    return [&json](const char* key, auto& value) { get(json.at(key), value); };
+    return [&json](const char* key, auto& value) {
+        if constexpr (std::is_same_v<decltype(value), bool&>)
+            value = broke_out(json);
+        else
+            get(json.at(key), value);
+    };
 }
 
 Summary from_json(const Json& json) {
@@ -53,6 +62,7 @@ Summary from_json(const Json& json) {
     visit_keys(summary, reader(json));
     visit_audit(summary.audit, reader(json.at("audit")));
     if (json.contains(kKnowsSand)) summary.surrogate_knows_this_sand = json.at(kKnowsSand).get<bool>();
+    if (json.contains("warnings")) summary.warnings = json.at("warnings").get<std::vector<std::string>>();
     Json known;
     visit_keys(summary, writer(known));
     for (const auto& [key, value] : json.items())
@@ -74,6 +84,7 @@ std::string to_json(const Summary& summary) {
     visit_audit(summary.audit, writer(audit));
     json["audit"] = audit;
     if (summary.surrogate_knows_this_sand) json[kKnowsSand] = *summary.surrogate_knows_this_sand;
+    json["warnings"] = summary.warnings;
     for (const auto& [key, value] : summary.extra) json[key] = value;
     return json.dump(2) + "\n";
 }

@@ -17,7 +17,9 @@ struct Summary {
     double wall_s = 0, cpu_s = 0;
     std::int64_t dem_steps = 0, rve_updates = 0, surrogate_updates = 0;
     double dem_fraction_final = unknown, dem_fraction_mean = unknown;
-    double breakout_load = unknown, breakout_d_over_B = unknown;  // [N/m], -
+    bool breakout = false;
+    // Where there is none, the largest load of the run and its place; n_gamma is then unknown. [N/m], -
+    double breakout_load = unknown, breakout_d_over_B = unknown;
     double n_gamma = unknown, n_gamma_meyerhof_adams = unknown, n_gamma_biarez = unknown;
     double late_load = unknown;                     // [N/m]
     double kinetic_to_strain_energy_max = unknown;  // of the ground, over what the plate has put into it
@@ -28,6 +30,7 @@ struct Summary {
         double stress_error_mean = unknown, ci95 = unknown;
     } audit;
     std::optional<bool> surrogate_knows_this_sand;  // of a screening run; else the key is absent
+    std::vector<std::string> warnings;                    // what makes the results doubtful, a line each
     std::vector<std::pair<std::string, double>> extra;  // further keys, behind the fixed ones
 
     double number(const std::string& key) const;  // of `extra`; NaN if it has none such

@@ -39,6 +39,7 @@ PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback&
     if (scene.ground.law != scene::Law::rve) {
         ground.density = law.density;
         ground.friction_angle = scene.ground.law == scene::Law::mohr_coulomb ? law.friction_angle : 0;
+        ground.friction.mean = ground.friction_angle;
         ground.row_pressure = in_situ(scene, ground.density);
         return ground;
     }
@@ -56,6 +57,7 @@ PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback&
     ground.row_pressure = in_situ(scene, ground.density);
     make_rows(packings, ground, progress);
     ground.friction_angle = packings.friction(progress);
+    ground.friction = sampled_friction(grains, progress);
     for (const graph::RowPacking& row : ground.rows)
         ground.traits.push_back(packings.traits(row, ground.friction_angle));
     return ground;

@@ -4,6 +4,7 @@
 
 #include "dem/prepare/prepare.hpp"
 #include "graph/rve_law.hpp"
+#include "packings/sand_friction.hpp"
 #include "scene/scene.hpp"
 #include "stress/surrogate.hpp"
 
@@ -13,6 +14,7 @@ namespace sandgraph::packings {
 struct PreparedGround {
     double density = 0;         // in situ, rho_grain (1 - n) [kg/m3]
     double friction_angle = 0;  // peak, measured on the packing in use (or that of the closed-form law) [rad]
+    FrictionSample friction;    // of the sand: what formulas are compared with
     std::vector<double> row_pressure;     // in-situ mean stress of each depth row's centre, K0 = 1 [Pa]
     std::vector<graph::RowPacking> rows;  // one packing a depth row; empty for closed-form laws
     std::shared_ptr<const stress::Surrogate> surrogate;  // of a screening run, else null

@@ -46,7 +46,7 @@ double formula_of(const results::FinishedRun& run) {
 // The largest load of a curve that still rises tells nothing of the formula.
 std::string difference(const results::FinishedRun& run) {
     const double share = run.summary.n_gamma / formula_of(run) - 1;
-    return results::broke_out(run.summary) && std::isfinite(share) ? fmt::format("{:+.1f} %", 100 * share)
+    return run.summary.breakout && std::isfinite(share) ? fmt::format("{:+.1f} %", 100 * share)
                                                                    : "-";
 }
 
@@ -56,8 +56,8 @@ std::string friction(const results::FinishedRun& run) {
            (interval > 0 ? fmt::format(" ± {:.1f}", interval) : "");
 }
 
-std::string still_rising(const results::FinishedRun& run) {
-    return results::broke_out(run.summary) ? "" : " (still rising)";
+std::string no_breakout(const results::FinishedRun& run) {
+    return run.summary.breakout ? "" : " (no breakout)";
 }
 
 using Run = results::FinishedRun;
@@ -70,8 +70,8 @@ constexpr Column kColumns[] = {
     {"γ [kN/m3]", [](const Run& r) { return decimal(results::unit_weight(r) / 1000, 1); }},
     {"φ [deg]", friction},
     {"breakout load [kN/m]",
-     [](const Run& r) { return decimal(r.summary.breakout_load / 1000, 1) + still_rising(r); }},
-    {"N_gamma", [](const Run& r) { return decimal(r.summary.n_gamma, 2) + still_rising(r); }},
+     [](const Run& r) { return decimal(r.summary.breakout_load / 1000, 1) + no_breakout(r); }},
+    {"N_gamma", [](const Run& r) { return decimal(r.summary.n_gamma, 2); }},
     {"at d/B", [](const Run& r) { return decimal(r.summary.breakout_d_over_B, 3); }},
     {"formula", [](const Run& r) { return decimal(formula_of(r), 2); }},
     {"difference", difference},
@@ -114,7 +114,7 @@ report::LoadPicture load_picture(const std::vector<results::FinishedRun>& runs, 
 std::vector<report::BreakoutSeries> breakout_series(const std::vector<results::FinishedRun>& runs) {
     std::map<std::string, std::pair<report::BreakoutSeries, std::vector<double>>> found;  // angles
     for (const results::FinishedRun& run : runs) {
-        if (!results::broke_out(run.summary) || !std::isfinite(run.summary.n_gamma)) continue;
+        if (!run.summary.breakout || !std::isfinite(run.summary.n_gamma)) continue;
         auto& [s, angles] = found[series_of(run)];
         s.label = series_of(run), s.horizontal = results::pulled_up(run.scene);
         const double phi = run.summary.number("friction_angle_deg") * kDegree;

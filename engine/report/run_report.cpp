@@ -136,13 +136,13 @@ std::string friction_text(const io::Summary& s) {
 std::vector<Row> result_rows(const results::FinishedRun& run) {
     if (!run.scene.anchor.present) return {};
     const io::Summary& s = run.summary;
-    const bool up = results::pulled_up(run.scene), out = results::broke_out(s);
+    const bool up = results::pulled_up(run.scene), out = s.breakout;
     const double formula = up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
     return {
         {"result", ""},
-        {out ? "breakout load Q_u [kN/m]" : "largest load so far, it still rises [kN/m]",
+        {out ? "breakout load Q_u [kN/m]" : "largest load, no breakout [kN/m]",
          decimal(s.breakout_load / 1000, 1)},
-        {out ? "breakout factor N_gamma" : "largest N_gamma so far", decimal(s.n_gamma, 2)},
+        {"breakout factor N_gamma", decimal(s.n_gamma, 2)},
         {"at d/B", decimal(s.breakout_d_over_B, 3)},
         {up ? "N_gamma of Meyerhof & Adams (1968)" : "N_gamma of Biarez et al. (1965)", decimal(formula, 2)},
         {"embedment H/B", number(results::embedment_of(run), 3)},

@@ -57,7 +57,7 @@ double end_of(const FinishedRun& run) {
 
 void compare_loads(const FinishedRun& reference, const FinishedRun& other, Comparison& out) {
     const double peak = reference.summary.breakout_load;
-    const bool both_broke_out = broke_out(reference.summary) && broke_out(other.summary);
+    const bool both_broke_out = reference.summary.breakout && other.summary.breakout;
     if (both_broke_out || std::abs(end_of(reference) - end_of(other)) < kSameEnd) {
         out.peak_error = std::abs(other.summary.breakout_load - peak) / peak;
         out.peak_position_error =

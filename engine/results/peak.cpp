@@ -90,6 +90,15 @@ Breakout breakout(Curve d, Curve load, const VesicCriterion& criterion) {
     return largest(d, s);
 }
 
+std::optional<Breakout> higher_later(Curve d, Curve load, const Breakout& breakout, const VesicCriterion& c) {
+    if (d.size() < fewest || breakout.kind == BreakoutKind::still_rising) return std::nullopt;
+    const Smoothed s = smooth(d, load, c.half_width);
+    const auto begin = s.value.begin() + static_cast<long>(first_after(d, breakout.d_over_B));
+    const auto at = std::max_element(begin, s.value.end());
+    if (at == s.value.end() || *at <= (1 + c.confirm_rise) * breakout.load) return std::nullopt;
+    return Breakout{BreakoutKind::still_rising, d[static_cast<std::size_t>(at - s.value.begin())], *at};
+}
+
 double late_load(Curve d, Curve load) {
     if (d.empty()) return 0;
     const std::size_t begin =

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 
 namespace sandgraph::results {
@@ -25,6 +26,10 @@ struct VesicCriterion {
 
 // d_over_B increasing; the curve should start before its rise. Fewer than 10 points: still rising.
 Breakout breakout(std::span<const double> d_over_B, std::span<const double> load, const VesicCriterion& = {});
+
+// The largest smoothed load after `breakout`, if it is higher by more than criterion.confirm_rise.
+std::optional<Breakout> higher_later(std::span<const double> d_over_B, std::span<const double> load,
+                                     const Breakout& breakout, const VesicCriterion& = {});
 
 // Mean load over the last tenth of the curve's displacement.
 double late_load(std::span<const double> d_over_B, std::span<const double> load);

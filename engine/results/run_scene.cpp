@@ -8,6 +8,7 @@
 #include "io/atomic_file.hpp"
 #include "io/xdmf.hpp"
 #include "results/run_summary.hpp"
+#include "simulation/caveats.hpp"
 #include "simulation/prepare_run.hpp"
 #include "simulation/run_session.hpp"
 
@@ -23,7 +24,7 @@ void finish(const simulation::RunSession& session, const simulation::RunOptions&
     const io::Summary summary = summarise(session, scene, ground, o.threads);
     io::write_summary(o.folder / "summary.json", summary);
     io::write_xdmf(o.folder / "fields.xdmf", session.recorders().frame_file());
-    tell(summary_text(summary, scene, ground));
+    tell(summary_text(summary, scene));
     if (scene.output.pictures) tell(draw(read_finished_run(o.folder)) + "\n");
     tell(fmt::format("results in {}\n", o.folder.string()));
 }
@@ -33,8 +34,10 @@ simulation::RunEnd run_all(const simulation::RunRequest& a, const DrawPictures& 
     const simulation::RunOptions options = simulation::options_of(a, scene);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
-    const packings::PreparedGround ground = simulation::prepare(scene);
+    const packings::PreparedGround ground = simulation::prepare(scene, options.threads);
     simulation::RunSession session(scene, ground, options);
+    for (const std::string& caveat : simulation::caveats(scene, ground, session.simulation()))
+        notice("warning: " + caveat);
     if (session.run() == simulation::RunEnd::interrupted) {
         notice(fmt::format("stopped at {}; go on with: {}", standing(session.simulation()),
                            simulation::resume_command(a, options.folder)));

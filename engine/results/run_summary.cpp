@@ -12,6 +12,7 @@
 #include "results/peak.hpp"
 #include "results/screening_summary.hpp"
 #include "scene/scene_hash.hpp"
+#include "simulation/caveats.hpp"
 #include "simulation/scene_spec.hpp"
 
 namespace sandgraph::results {
@@ -19,6 +20,10 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kQuasiStatic = 0.1;  // kinetic energy over the plate's work
+
+bool pulled_upwards(const scene::Scene& scene) {
+    return scene.anchor.orientation == scene::Orientation::horizontal;
+}
 
 struct Curve {
     std::vector<double> d, load;
@@ -30,20 +35,69 @@ Curve curve_of(const io::RunRecord& record) {
     return c;
 }
 
-void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
-               const packings::PreparedGround& ground, io::Summary& s) {
+// The formula for the scene's plate, textbook's form.
+double formula_at(const scene::Scene& scene, double ratio, double friction_angle) {
+    return pulled_upwards(scene) ? meyerhof_adams(ratio, friction_angle) : biarez(ratio, friction_angle);
+}
+
+bool is_rough(const scene::Scene& scene, double friction_angle) {
+    return scene.anchor.friction_angle >= friction_angle;
+}
+
+void add_formula(const scene::Scene& scene, const packings::PreparedGround& ground, io::Summary& s) {
+    const packings::FrictionSample& phi = ground.friction;
+    if (phi.mean <= 0) return;
+    const double ratio = simulation::equivalent_embedment(scene, ground) / scene.anchor.width;
+    s.n_gamma_meyerhof_adams = meyerhof_adams(ratio, phi.mean);
+    s.n_gamma_biarez = biarez(ratio, phi.mean);
+    if (pulled_upwards(scene) && is_rough(scene, phi.mean))
+        s.extra.emplace_back(
+            "n_gamma_meyerhof_adams_thick",
+            meyerhof_adams_thick(ratio, scene.anchor.thickness / scene.anchor.width, phi.mean));
+    s.extra.emplace_back("n_gamma_formula_ci95", 0.5 * (formula_at(scene, ratio, phi.mean + phi.ci95) -
+                                                        formula_at(scene, ratio, phi.mean - phi.ci95)));
+    s.extra.emplace_back("equivalent_embedment_ratio", ratio);
+    s.extra.emplace_back("friction_angle_deg", phi.mean * kDegrees);
+    s.extra.emplace_back("friction_angle_ci95_deg", phi.ci95 * kDegrees);
+    s.extra.emplace_back("friction_packings", phi.packings);
+    s.extra.emplace_back("friction_angle_packing_deg", ground.friction_angle * kDegrees);
+}
+
+// Inertia carries a share of the load that nobody can tell from the sand's.
+bool is_quasi_static(const io::Summary& s) {
+    return !(s.kinetic_to_strain_energy_max > kQuasiStatic) &&
+           !(s.number("rate_pressure_ratio") > simulation::forbidding_rate);
+}
+
+void add_breakout(const simulation::RunSession& session, const scene::Scene& scene,
+                  const packings::PreparedGround& ground, io::Summary& s) {
     const Curve curve = curve_of(session.recorders().record());
     const Breakout breakout = results::breakout(curve.d, curve.load);
+    s.breakout = breakout.kind != BreakoutKind::still_rising && is_quasi_static(s);
     s.breakout_load = breakout.load, s.breakout_d_over_B = breakout.d_over_B;
-    s.n_gamma = breakout.load / simulation::unit_load(scene, ground);
+    if (s.breakout) s.n_gamma = breakout.load / simulation::unit_load(scene, ground);
     s.late_load = late_load(curve.d, curve.load);
     s.extra.emplace_back("breakout_criterion", static_cast<double>(breakout.kind));
-    if (ground.friction_angle <= 0) return;
-    const double ratio = simulation::equivalent_embedment(scene, ground) / scene.anchor.width;
-    s.n_gamma_meyerhof_adams = meyerhof_adams(ratio, ground.friction_angle);
-    s.n_gamma_biarez = biarez(ratio, ground.friction_angle);
-    s.extra.emplace_back("equivalent_embedment_ratio", ratio);
-    s.extra.emplace_back("friction_angle_deg", ground.friction_angle * kDegrees);
+    if (const auto later = higher_later(curve.d, curve.load, breakout)) {
+        s.extra.emplace_back("later_load_N_per_m", later->load);
+        s.extra.emplace_back("later_d_over_B", later->d_over_B);
+    }
+}
+
+void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
+               const packings::PreparedGround& ground, io::Summary& s) {
+    s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
+    s.extra.emplace_back("rate_pressure_ratio", simulation::rate_share(scene, ground, session.simulation()));
+    s.warnings = simulation::caveats(scene, ground, session.simulation());
+    if (s.kinetic_to_strain_energy_max > kQuasiStatic)
+        s.warnings.push_back(
+            fmt::format("kinetic energy reached {:.2g} of the plate's work: too fast to be quasi-static (10 "
+                        "% is the usual limit); "
+                        "lower anchor.pull_rate",
+                        s.kinetic_to_strain_energy_max));
+    add_breakout(session, scene, ground, s);
+    add_formula(scene, ground, s);
+    s.extra.emplace_back("unit_load_N_per_m", simulation::unit_load(scene, ground));
 }
 
 void add_grains(const simulation::Simulation& run, io::Summary& s) {
@@ -55,6 +109,13 @@ void add_grains(const simulation::Simulation& run, io::Summary& s) {
     for (const auto& [name, value] : law.figures()) s.extra.emplace_back(name, value);
 }
 
+void add_known_sand(const scene::Scene& scene, const packings::PreparedGround& ground, io::Summary& s) {
+    if (!ground.surrogate) return;
+    const KnownSand sand = known_sand(ground);
+    s.surrogate_knows_this_sand = sand.known;
+    if (!sand.known && !scene.screening.gate.active) s.warnings.push_back(unknown_sand_text(sand, ground));
+}
+
 void add_history(const simulation::RunSession& session, io::Summary& s) {
     if (!session.recorders().history()) return;
     s.extra.emplace_back("history_rows", static_cast<double>(session.recorders().history()->rows()));
@@ -62,11 +123,6 @@ void add_history(const simulation::RunSession& session, io::Summary& s) {
 }
 
 }  // namespace
-
-bool broke_out(const io::Summary& s) {
-    const double kind = s.number("breakout_criterion");  // NaN without a plate
-    return std::isfinite(kind) && kind != static_cast<double>(BreakoutKind::still_rising);
-}
 
 io::Summary summarise(const simulation::RunSession& session, const scene::Scene& scene,
                       const packings::PreparedGround& ground, int threads) {
@@ -78,12 +134,8 @@ io::Summary summarise(const simulation::RunSession& session, const scene::Scene&
     s.scene_hash = hex(scene::scene_hash(scene));
     add_grains(run, s);
     add_history(session, s);
-    if (ground.surrogate) s.surrogate_knows_this_sand = known_sand(ground).known;
-    if (scene.anchor.present) {
-        add_loads(session, scene, ground, s);
-        s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
-        s.extra.emplace_back("unit_load_N_per_m", simulation::unit_load(scene, ground));
-    }
+    if (scene.anchor.present) add_loads(session, scene, ground, s);
+    add_known_sand(scene, ground, s);
     s.extra.emplace_back("density_kg_per_m3", ground.density);
     for (const auto& [phase, seconds] : session.recorders().record().timing)
         s.extra.emplace_back("seconds " + phase, seconds);
@@ -92,47 +144,64 @@ io::Summary summarise(const simulation::RunSession& session, const scene::Scene&
 
 namespace {
 
-const char* breakout_words(const io::Summary& s) {
-    switch (static_cast<BreakoutKind>(s.number("breakout_criterion"))) {
-        case BreakoutKind::zero_slope:
-            return "breakout";
-        case BreakoutKind::steady_slope:
-            return "breakout, where the load begins to rise steadily:";
-        default:
-            return "no breakout yet, the load still rises: largest";
+std::string breakout_text(const io::Summary& s) {
+    const std::string place =
+        fmt::format("at d/B {:.3f}  ({:.1f} kN/m)\n", s.breakout_d_over_B, s.breakout_load / 1000);
+    if (s.breakout) {
+        const bool steady = s.number("breakout_criterion") == static_cast<double>(BreakoutKind::steady_slope);
+        return fmt::format("{}  N_gamma {:.2f} {}",
+                           steady ? "breakout, where the load begins to rise steadily:" : "breakout",
+                           s.n_gamma, place);
     }
+    return fmt::format("no breakout {}: largest load so far {:.2f} gamma H B {}",
+                       is_quasi_static(s) ? "yet, the load still rises" : "is claimed, the plate is too fast",
+                       s.breakout_load / s.number("unit_load_N_per_m"), place);
 }
 
-std::string energy_text(double share) {
-    // Stopped before it was looked at, or the ground has worked on the plate all the time.
-    if (std::isnan(share)) return ", kinetic energy over the plate's work: - (no work yet)\n";
-    const char* warning =
-        share > kQuasiStatic
-            ? "warning: too fast to be quasi-static (10 % is the usual limit); lower anchor.pull_rate\n"
-            : "";
-    return fmt::format(", kinetic energy at most {:.2g} of the plate's work\n{}", share, warning);
+std::string later_text(const io::Summary& s) {
+    const double later = s.number("later_load_N_per_m");
+    if (std::isnan(later)) return "";
+    return fmt::format("the load is higher later: {:.1f} kN/m at d/B {:.3f}\n", later / 1000,
+                       s.number("later_d_over_B"));
+}
+
+std::string angle_text(const io::Summary& s) {
+    const double phi = s.number("friction_angle_deg"), packings = s.number("friction_packings");
+    if (packings == 0) return fmt::format("phi = {:.1f} deg of the scene", phi);
+    if (packings == 1)
+        return fmt::format("phi = {:.1f} deg of one packing; others of its sand differ by 2 to 6 deg", phi);
+    return fmt::format("phi = {:.1f} +- {:.1f} deg, mean of {:.0f} packings", phi,
+                       s.number("friction_angle_ci95_deg"), packings);
+}
+
+std::string formula_text(const io::Summary& s, bool up) {
+    const double formula = up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez;
+    if (!std::isfinite(formula)) return "";
+    const double interval = s.number("n_gamma_formula_ci95"),
+                 thick = s.number("n_gamma_meyerhof_adams_thick");
+    std::string out = fmt::format("formula   N_gamma {:.2f}{}  ({}, {})\n", formula,
+                                  interval > 0 ? fmt::format(" +- {:.2f}", interval) : "",
+                                  up ? "Meyerhof & Adams 1968" : "Biarez 1965", angle_text(s));
+    if (std::isfinite(thick))
+        out += fmt::format(
+            "          N_gamma {:.2f}  for this plate: thick and rough, it drags the sand beside its ends\n",
+            thick);
+    return out;
+}
+
+std::string loads_text(const io::Summary& s, bool up) {
+    const double share = s.kinetic_to_strain_energy_max;
+    return breakout_text(s) + later_text(s) + formula_text(s, up) +
+           fmt::format("late load {:.1f} kN/m, kinetic energy at most {} of the plate's work\n",
+                       s.late_load / 1000, std::isnan(share) ? "-" : fmt::format("{:.2g}", share));
 }
 
 }  // namespace
 
-std::string summary_text(const io::Summary& s, const scene::Scene& scene,
-                         const packings::PreparedGround& ground) {
+std::string summary_text(const io::Summary& s, const scene::Scene& scene) {
     std::string out;
-    if (scene.anchor.present) {
-        const bool up = scene.anchor.orientation == scene::Orientation::horizontal;
-        out += fmt::format("{}  N_gamma {:.2f} at d/B {:.3f}  ({:.1f} kN/m)\n", breakout_words(s), s.n_gamma,
-                           s.breakout_d_over_B, s.breakout_load / 1000);
-        if (ground.friction_angle > 0 && std::isfinite(s.n_gamma_meyerhof_adams))
-            out +=
-                fmt::format("formula   N_gamma {:.2f}  ({}, phi = {:.1f} deg {})\n",
-                            up ? s.n_gamma_meyerhof_adams : s.n_gamma_biarez,
-                            up ? "Meyerhof & Adams 1968" : "Biarez 1965", ground.friction_angle * kDegrees,
-                            scene.ground.law == scene::Law::rve ? "measured on the packing" : "of the scene");
-        out += fmt::format("late load {:.1f} kN/m{}", s.late_load / 1000,
-                           energy_text(s.kinetic_to_strain_energy_max));
-    }
-    if (s.surrogate_knows_this_sand == false && !scene.screening.gate.active)
-        out += fmt::format("warning: {}\n", unknown_sand_text(known_sand(ground), ground));
+    if (scene.anchor.present) out += loads_text(s, pulled_upwards(scene));
+    for (const std::string& warning : s.warnings) out += "warning: " + warning + "\n";
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");
     if (scene.mode == scene::Mode::screening) out += screening_text(s);

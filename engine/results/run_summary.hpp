@@ -4,14 +4,10 @@
 
 namespace sandgraph::results {
 
-// Has the load-displacement curve broken out, or does it still rise at its end?
-bool broke_out(const io::Summary& summary);
-
 io::Summary summarise(const simulation::RunSession& session, const scene::Scene& scene,
                       const packings::PreparedGround& ground, int threads);
 
 // What a user wants to read when a run has ended, a few lines.
-std::string summary_text(const io::Summary& summary, const scene::Scene& scene,
-                         const packings::PreparedGround& ground);
+std::string summary_text(const io::Summary& summary, const scene::Scene& scene);
 
 }  // namespace sandgraph::results

@@ -108,6 +108,9 @@ class Checks {
                    *symbol ? fmt::format("write \"{:.6g} {}\"", offset + nearest * step, symbol)
                            : fmt::format("write {:.6g}", nearest * step));
     }
+    // What is recommended has room for the failure, not only for the plate: the block over a plate of sand of
+    // 40 deg.
+    double roomy_width() const { return (0.5 + 0.84 * anchor_.embedment_ratio) * anchor_.width; }
     // A key that the file does not give is named with its default, at the file as a whole.
     [[noreturn]] void refuse(const char* name, const std::string& why, const std::string& suggestion) const {
         const Key& key = keys_.at(name);
@@ -126,8 +129,10 @@ class Checks {
             refuse("domain.depth", why, fmt::format("write \"{:.6g} m\" or more", cells_up(needed)));
     }
     void need_width(double needed, const char* why) const {
+        const double roomy = anchor_.orientation == Orientation::horizontal ? roomy_width() : needed;
         if (domain_.width + slack < needed)
-            refuse("domain.width", why, fmt::format("write \"{:.6g} m\" or more", cells_up(needed)));
+            refuse("domain.width", why,
+                   fmt::format("write \"{:.6g} m\" or more", cells_up(std::max(needed, roomy))));
     }
     // As a file has it, without the quotes.
     std::string unquoted(const char* name) const {

@@ -46,7 +46,8 @@ void add_material_keys(KeyTable& keys, dem::Material& m) {
     grains.real("rolling_stiffness", m.rolling_stiffness, "", at_least(0), "beta; k_r = beta k_t r_i r_j");
     grains.real("rolling_limit", m.rolling_limit, "", at_least(0), "eta; |M| <= eta min(r_i, r_j) f_n");
     grains.real("damping", m.damping, "", within(0, 0.9), "local damping alpha");
-    grains.real("depth", m.depth, "m", above(0), "thickness of the disks and the cell");
+    grains.real("depth", m.depth, "m", above(0),
+                "thickness of the disks and the cell; 20 mean radii unless given");
     grains.choice("rolling_form", m.rolling_form, {"incremental", "total"},
                   "elastic-plastic, or eq. 10 as read");
 }
@@ -98,6 +99,7 @@ void complete_grains(const KeyTable& keys, Grains& g) {
         throw InputError(keys.at("grains.density").where, "grains.density = \"custom\"",
                          "it has no porosity of its own", "write grains.target_porosity, too");
     check_disks(keys, g);
+    if (!keys.at("grains.depth").given) g.material.depth = dem::usual_depth(g.radius_min, g.radius_max);
 }
 
 void check_pressure(const Key& key, double pressure, const Grains& g) {

@@ -20,13 +20,17 @@ void LoadRecorder::add(const Simulation& simulation) {
     plate_work_ += factor_ * mpm::plate_work(anchor.plate, anchor.contact.reaction, s.settings.dt);
 }
 
+double LoadRecorder::work_scale(const Simulation& simulation) const {
+    return std::fmax(std::fabs(plate_work_), unit_load_ * simulation.travel());
+}
+
 std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation) {
     if (simulation.anchored()) add(simulation);
     steps_ += 1;
     if (simulation.mark() < next_) return std::nullopt;
     const io::LoadRow out = row(simulation, load_ / steps_);
-    if (simulation.d_over_B() >= kQuasiStaticFrom && plate_work_ > 0)  // soft ground may push the plate first
-        kinetic_share_max_ = std::fmax(kinetic_share_max_, out.kinetic_energy / plate_work_);
+    if (simulation.d_over_B() >= kQuasiStaticFrom)
+        kinetic_share_max_ = std::fmax(kinetic_share_max_, out.kinetic_energy / work_scale(simulation));
     while (next_ <= simulation.mark()) next_ += every_;
     steps_ = d_ = load_ = leading_ = trailing_ = 0;
     last_ = out.load;

@@ -1,7 +1,6 @@
 #include "simulation/prepare_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/console.hpp"
 #include "base/error.hpp"
@@ -12,6 +11,8 @@
 #include "io/run_file.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/scene_hash.hpp"
+#include "simulation/estimate.hpp"
+#include "simulation/progress.hpp"
 #include "simulation/scene_spec.hpp"
 #include "surrogate/load_surrogate.hpp"
 
@@ -42,17 +43,15 @@ void require_no_checkpoint(const fs::path& folder) {
                      "go on with it by --resume, or remove the folder, or give another with -o");
 }
 
-void require_memory(const scene::Scene& scene) {
-    constexpr double bytes_a_point = 1000;  // without the packing of one that strains
-    const double spacing = scene::point_spacing(scene.domain),
-                 points = scene.domain.width * scene.domain.depth / (spacing * spacing),
-                 memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                          static_cast<double>(sysconf(_SC_PAGESIZE));
-    if (points * bytes_a_point > memory)
-        throw InputError({scene.file, 0}, fmt::format("{:.2g} material points", points),
-                         fmt::format("they need {:.2g} GB, this machine has {:.2g}",
-                                     points * bytes_a_point / 1e9, memory / 1e9),
-                         "look at domain.width, domain.depth and domain.cell");
+// Told where somebody waits for it.
+void tell_estimate(const scene::Scene& scene, int threads) {
+    constexpr double worth_telling = 30;  // [s]
+    const Estimate e = estimate(scene, threads);
+    require_feasible(scene, e);
+    if (e.seconds > worth_telling)
+        notice(fmt::format("{:.0f} points, {:.0f} steps, up to {:.2g} GB; some {} on {} thread{}", e.points,
+                           e.steps, e.bytes / 1e9, duration_text(e.seconds), threads,
+                           threads == 1 ? "" : "s"));
 }
 
 fs::path folder_of(const RunRequest& request, const scene::Scene& scene) {
@@ -81,8 +80,8 @@ RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
     return o;
 }
 
-packings::PreparedGround prepare(const scene::Scene& scene) {
-    require_memory(scene);
+packings::PreparedGround prepare(const scene::Scene& scene, int threads) {
+    tell_estimate(scene, threads);
     StageProgress progress;
     std::shared_ptr<const stress::Surrogate> surrogate;
     if (scene.mode == scene::Mode::screening) surrogate = surrogate::load_surrogate(scene.screening.model);

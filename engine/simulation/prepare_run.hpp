@@ -12,7 +12,8 @@ namespace sandgraph::simulation {
 RunOptions options_of(const RunRequest& request, const scene::Scene& scene);
 
 // The packings, and the surrogate of a screening run. InputError for a surrogate that cannot be
-// used, for more ground than the machine holds (a misplaced unit).
-packings::PreparedGround prepare(const scene::Scene& scene);
+// used, for more ground than the machine holds (a misplaced unit), for a plate too fast. Tells what the run
+// will take.
+packings::PreparedGround prepare(const scene::Scene& scene, int threads);
 
 }  // namespace sandgraph::simulation

@@ -4,6 +4,11 @@
 
 namespace sandgraph::simulation {
 
+double settling_time(double width) {
+    constexpr double a_metre = 0.05;  // [s/m]
+    return a_metre * width;
+}
+
 double rate_at(const Programme& programme, double time) {
     const double since = time - programme.settle;
     if (since <= 0) return 0;

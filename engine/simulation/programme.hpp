@@ -12,6 +12,10 @@ struct Programme {
     double settle = 0;            // [s] at rest before the ramp
 };
 
+// Rest before the pull of a plate `width` wide [m] [s]: what a P-wave takes to cross its ground, which goes
+// with the width.
+double settling_time(double width);
+
 // Rate along the direction at `time` [s] since the start [m/s]: a smoothstep over the ramp, so that the
 // acceleration has no jump.
 double rate_at(const Programme& programme, double time);

@@ -5,9 +5,7 @@
 #include <cmath>
 
 namespace sandgraph::simulation {
-namespace {
-
-std::string duration(double seconds) {
+std::string duration_text(double seconds) {
     if (!(seconds < 1e9)) return "more than 30 years";
     const auto s = static_cast<std::int64_t>(std::lround(seconds));
     if (s < 60) return fmt::format("{} s", s);
@@ -15,15 +13,13 @@ std::string duration(double seconds) {
     return fmt::format("{} h {} min", s / 3600, s % 3600 / 60);
 }
 
-}  // namespace
-
 std::string progress_line(const ProgressState& state, std::optional<double> left) {
     std::string line = fmt::format("step {}  ", state.step);
     line += state.anchored ? fmt::format("d/B {:.4f} of {:g}  load {:.3g} kN/m", state.mark, state.target,
                                          state.load / 1000)
                            : fmt::format("{:.4f} of {:g} s", state.mark, state.target);
     line += fmt::format("  RVEs {}", state.rve_active);
-    if (left) line += fmt::format("  {} left", duration(*left));
+    if (left) line += fmt::format("  {} left", duration_text(*left));
     return line;
 }
 

@@ -16,6 +16,9 @@ struct ProgressState {
     bool anchored = true;
 };
 
+// "40 s", "4 min 10 s", "3 h 5 min".
+std::string duration_text(double seconds);
+
 // "step 1200  d/B 0.0150 of 0.4  load 12.3 kN/m  RVEs 812  4 min 10 s left"; `left` [s], if it is known.
 // Without an anchor "step 1200  0.0150 of 1 s  RVEs 812".
 std::string progress_line(const ProgressState& state, std::optional<double> left);

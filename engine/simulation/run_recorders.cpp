@@ -28,7 +28,7 @@ io::RunFile open_file(const scene::Scene& scene, const RunOptions& o) {
 RunRecorders::RunRecorders(const scene::Scene& scene, const packings::PreparedGround& ground,
                            Simulation& simulation, const RunOptions& options)
     : folder_(options.folder),
-      loads_(scene.output.load_every, whole_plate_factor(scene)),
+      loads_(scene.output.load_every, whole_plate_factor(scene), unit_load(scene, ground)),
       frames_(scene, simulation, initial_porosity(ground)),
       regions_(scene, simulation, initial_porosity(ground)),
       file_(open_file(scene, options)) {

@@ -1,21 +1,20 @@
 #include "simulation/scene_spec.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
-#include "base/error.hpp"
 #include "mpm/time_step.hpp"
 #include "simulation/build_screening.hpp"
+#include "simulation/estimate.hpp"
 #include "stress/elastic.hpp"
 #include "stress/mohr_coulomb.hpp"
 
 namespace sandgraph::simulation {
 namespace {
 
-constexpr double kHeave = 1.0;    // room above the ground beyond the pull itself [m]
-constexpr double kSettle = 0.05;  // at rest before the pull [s]
+// Room above the ground beyond the pull itself [m]: a plate width; of a ground without one a fifth of its
+// depth.
+double heave(const scene::Scene& s) { return s.anchor.present ? s.anchor.width : 0.2 * s.domain.depth; }
 
 bool horizontal(const scene::Scene& s) { return s.anchor.orientation == scene::Orientation::horizontal; }
 
@@ -35,7 +34,7 @@ mpm::GridShape grid_shape(const scene::Scene& scene) {
     const double lift = scene.anchor.present ? scene.anchor.pull_to * scene.anchor.width : 0,
                  cell = scene.domain.cell;
     return {0, 0, cell, static_cast<int>(std::lround(scene.domain.width / cell)),
-            static_cast<int>(std::ceil((scene.domain.depth + lift + kHeave) / cell))};
+            static_cast<int>(std::ceil((scene.domain.depth + lift + heave(scene)) / cell))};
 }
 
 std::unique_ptr<stress::Law> granular_law(const scene::Scene& scene, const packings::PreparedGround& ground,
@@ -86,19 +85,8 @@ BodySpec anchor_of(const scene::Scene& scene, const packings::PreparedGround& gr
     body.programme.direction = horizontal(scene) ? Vec2(0, 1) : Vec2(1, 0);
     body.programme.rate = a.pull_rate;
     body.programme.ramp = a.ramp * a.width;
-    body.programme.settle = kSettle;
+    body.programme.settle = settling_time(a.width);
     return body;
-}
-
-// Faster than that, touches come and go between two looks at them.
-void require_slow_plate(const scene::Scene& scene, double dt) {
-    constexpr double most = 0.01;  // cells a step; the paper's rate takes 1e-4
-    const double cells = scene.anchor.pull_rate * dt / scene.domain.cell;
-    if (cells > most)
-        throw InputError(scene.where("anchor.pull_rate"),
-                         fmt::format("anchor.pull_rate = {:g} m/s", scene.anchor.pull_rate),
-                         fmt::format("the plate would move {:.2g} cells in one step of {:.2g} s", cells, dt),
-                         fmt::format("pull with {:.2g} m/s at most", most * scene.domain.cell / dt));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "dem/material.hpp"
+
 namespace sandgraph::dem {
 
 inline constexpr int fewest_grains = 10;  // of a packing that can stand for sand
@@ -19,5 +21,12 @@ struct Recipe {
     double rate =
         1;  // largest normal strain rate of Table 1 grains [1/s]; up to 4 /s the porosity is the same
 };
+
+// Thickness of disks of these radii [m], unless it is told: 20 mean radii, 0.1 m for Table 1's. Overlaps grow
+// with thickness over radius (p depth / (E r)), so that a fixed one would press small grains into each other.
+inline double usual_depth(double radius_min, double radius_max) {
+    constexpr Recipe table1;
+    return Material{}.depth * ((radius_min + radius_max) / (table1.radius_min + table1.radius_max));
+}
 
 }  // namespace sandgraph::dem

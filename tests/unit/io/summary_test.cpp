@@ -26,6 +26,7 @@ TEST(Summary, HasTheKeysScriptsRelyOnInTheirOrder) {
                                             "surrogate_updates",
                                             "dem_fraction_final",
                                             "dem_fraction_mean",
+                                            "breakout",
                                             "peak_load_N_per_m",
                                             "peak_d_over_B",
                                             "n_gamma",
@@ -37,7 +38,8 @@ TEST(Summary, HasTheKeysScriptsRelyOnInTheirOrder) {
                                             "mode",
                                             "git",
                                             "scene_hash",
-                                            "audit"};
+                                            "audit",
+                                            "warnings"};
     EXPECT_EQ(keys, expected);
     for (const char* key : {"points", "stress_error_mean", "ci95"}) EXPECT_TRUE(json["audit"].contains(key));
 }
@@ -56,6 +58,7 @@ TEST(Summary, ReadsBackTheSameAndNullForUnknown) {
     Summary s;
     s.dem_steps = 12'345'678'901, s.breakout_load = 0.1 + 0.2, s.mode = "full", s.audit.points = 7;
     s.extra = {{"porosity", 0.16}};
+    s.breakout = true, s.warnings = {"too fast", "too coarse"};
     write_summary(folder / "summary.json", s);
     const Summary read = read_summary(folder / "summary.json");
     EXPECT_EQ(read.dem_steps, s.dem_steps);
@@ -64,6 +67,8 @@ TEST(Summary, ReadsBackTheSameAndNullForUnknown) {
     EXPECT_EQ(read.audit.points, 7);
     EXPECT_TRUE(std::isnan(read.n_gamma_biarez));
     EXPECT_EQ(read.extra, s.extra);
+    EXPECT_TRUE(read.breakout);
+    EXPECT_EQ(read.warnings, s.warnings);
     EXPECT_NE(test::contents(folder / "summary.json").find("\"n_gamma_biarez\": null"), std::string::npos);
 }
 

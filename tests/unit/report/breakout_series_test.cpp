@@ -10,12 +10,11 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-results::FinishedRun run_of(double n_gamma, double friction_angle,
-                            results::BreakoutKind kind = results::BreakoutKind::zero_slope) {
+results::FinishedRun run_of(double n_gamma, double friction_angle, bool breakout = true) {
     results::FinishedRun run;
     run.summary.n_gamma = n_gamma;
-    run.summary.extra = {{"friction_angle_deg", friction_angle},
-                         {"breakout_criterion", static_cast<double>(kind)}};
+    run.summary.extra = {{"friction_angle_deg", friction_angle}};
+    run.summary.breakout = breakout;
     return run;
 }
 
@@ -28,7 +27,7 @@ TEST(BreakoutSeries, FrictionAngleIsTheMeanOfThoseThatAreKnown) {
 }
 
 TEST(BreakoutSeries, LeavesOutRunsWhoseLoadStillRises) {
-    const auto rising = run_of(2, 30, results::BreakoutKind::still_rising);
+    const auto rising = run_of(2, 30, false);
     EXPECT_TRUE(breakout_series({rising}).empty());
     EXPECT_EQ(breakout_series({rising, run_of(3, 30)}).at(0).n_gamma, std::vector<double>{3});
 }

@@ -37,7 +37,7 @@ scene::Scene with(const scene::Region& region) {
 
 TEST(LoadRecorder, RowsAreMeansSinceTheRowBefore) {
     Simulation simulation(pulled(0.005));  // the plate's lower face keeps its contact
-    LoadRecorder recorder(10 * 0.005 * simulation.state().settings.dt / 0.8 * 0.999, 2);
+    LoadRecorder recorder(10 * 0.005 * simulation.state().settings.dt / 0.8 * 0.999, 2, 1);
     double d = 0, load = 0, leading = 0, trailing = 0, work = 0;
     int steps = 0, rows = 0;
     for (int k = 0; k < 31; ++k) {
@@ -65,7 +65,7 @@ TEST(LoadRecorder, RowsAreMeansSinceTheRowBefore) {
 // The ground's energy over what the plate has put into it, looked at from 0.005 of its width on.
 TEST(LoadRecorder, TheKineticShareIsOfThePlatesWork) {
     Simulation simulation(pulled());
-    LoadRecorder recorder(1e-9, 1);
+    LoadRecorder recorder(1e-9, 1, 1e-9);
     double largest = 0;
     bool looked = false;
     for (int k = 0; k < 200; ++k) {

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/subprocess.hpp"
+
+namespace sandgraph::app {
+namespace {
+
+constexpr const char* kScene = R"(
+[domain]
+width = "3 m"
+depth = "4 m"
+cell = "0.125 m"
+[anchor]
+embedment_ratio = 2
+thickness = "0.125 m"
+pull_to = 0.05
+[ground]
+law = "mohr_coulomb"
+[continuum]
+young = "40 MPa"
+friction_angle = "30 deg"
+)";
+
+nlohmann::json summary_of(const Shell& shell, const std::string& folder) {
+    return nlohmann::json::parse(shell.read(folder + "/summary.json"));
+}
+
+TEST(Trust, NoBreakoutIsClaimedOfAPlateThatIsTooFast) {
+    const Shell shell("too_fast");
+    shell.write("scene.toml", kScene);
+    const auto run = shell.run("run scene.toml -o out --set 'anchor.pull_rate=3 m/s'");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.err.find("warning: anchor.pull_rate = 3 m/s is fast"), std::string::npos) << run.err;
+    EXPECT_NE(run.out.find("no breakout is claimed"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("warning: anchor.pull_rate = 3 m/s is fast"), std::string::npos) << run.out;
+    const auto summary = summary_of(shell, "out");
+    EXPECT_EQ(summary["breakout"], false);
+    EXPECT_TRUE(summary["n_gamma"].is_null());
+    EXPECT_GT(summary["peak_load_N_per_m"].get<double>(), 0);
+    EXPECT_GE(summary["warnings"].size(), 2u);
+}
+
+TEST(Trust, ABreakoutIsClaimedOfASlowPlateAndItsFormulaIsForItsThickness) {
+    const Shell shell("slow");
+    shell.write("scene.toml", kScene);
+    const auto run = shell.run("run scene.toml -o out");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto summary = summary_of(shell, "out");
+    EXPECT_EQ(summary["breakout"], true);
+    EXPECT_GT(summary["n_gamma"].get<double>(), 1.5);
+    // 1 + 0.95 tan(30 deg) 2.125^2 / 2
+    EXPECT_NEAR(summary["n_gamma_meyerhof_adams_thick"].get<double>(), 2.2384, 1e-4);
+    EXPECT_EQ(summary["friction_packings"], 0);
+    ASSERT_EQ(summary["warnings"].size(), 1u);
+    EXPECT_NE(run.out.find("8 cells a plate width"), std::string::npos) << run.out;
+}
+
+TEST(Trust, OfARunThatStillRisesThereIsNoBreakoutFactor) {
+    const Shell shell("rising");
+    shell.write("scene.toml", kScene);
+    ASSERT_EQ(shell.run("run scene.toml -o out --until 0.003").exit_code, 0);
+    EXPECT_EQ(summary_of(shell, "out")["breakout"], false);
+    EXPECT_TRUE(summary_of(shell, "out")["n_gamma"].is_null());
+}
+
+}  // namespace
+}  // namespace sandgraph::app

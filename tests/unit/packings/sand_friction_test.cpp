@@ -1,0 +1,40 @@
+#include "packings/sand_friction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sandgraph::packings {
+namespace {
+
+TEST(SandFriction, IntervalIsStudentsOfTheMean) {
+    const double angles[] = {0.50, 0.52, 0.54, 0.56, 0.58, 0.60};
+    const FrictionSample s = friction_sample(angles);
+    EXPECT_NEAR(s.mean, 0.55, 1e-12);
+    EXPECT_EQ(s.packings, 6);
+    // sd = 0.02 sqrt(3.5), t(5) = 2.571
+    EXPECT_NEAR(s.ci95, 2.571 * 0.02 * std::sqrt(3.5) / std::sqrt(6), 1e-9);
+}
+
+TEST(SandFriction, OfOnePackingHasNoInterval) {
+    const double angle[] = {0.5};
+    EXPECT_EQ(friction_sample(angle).mean, 0.5);
+    EXPECT_TRUE(std::isnan(friction_sample(angle).ci95));
+    EXPECT_EQ(friction_sample(angle).packings, 1);
+}
+
+TEST(SandFriction, IsOfSeveralPackingsOfTheRecipe) {
+    scene::Grains grains;
+    grains.count = 30;
+    grains.seed = 5;
+    const FrictionSample s = sampled_friction(grains, {});
+    EXPECT_EQ(s.packings, 6);
+    EXPECT_GT(s.ci95, 0);
+    EXPECT_GT(s.mean, 0.2);
+    EXPECT_LT(s.mean, 0.9);
+    grains.seed = 6;
+    EXPECT_NE(sampled_friction(grains, {}).mean, s.mean);
+}
+
+}  // namespace
+}  // namespace sandgraph::packings
