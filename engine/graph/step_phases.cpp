@@ -23,8 +23,8 @@ void load_grid(GroundState& s) {
 
 void move_grid(GroundState& s) {
     const StepSettings& set = s.settings;
-    mpm::update_grid({set.dt, set.gravity, set.scheme.damping, set.scheme.mass_scaling, set.boundaries},
-                     s.grid);
+    mpm::update_grid(
+        {set.dt, set.gravity, set.scheme.damping, set.scheme.mass_scaling, set.boundaries, s.light}, s.grid);
     for (Body& body : s.bodies) {
         mpm::advance_slip(body.plate, s.grid, set.dt, body.contact);
         mpm::advance(body.plate, set.dt);

@@ -35,7 +35,9 @@ struct alignas(64) Node {
     double mass = 0;        // [kg/m], gravity mass: mass scaling enters at the grid update only
     double px = 0, py = 0;  // momentum [kg/s]
     double fx = 0, fy = 0;  // internal + external force without gravity [N/m]
-    double unused[3] = {0, 0, 0};
+    // Of the points themselves, mirror images apart: mass times position and mass; tells where a light node's
+    // material is.
+    double mx = 0, my = 0, own = 0;
 };
 
 // What the points read back: velocity after the update [m/s] and acceleration of the step [m/s2].

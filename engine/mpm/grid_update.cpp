@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/contracts.hpp"
+#include "mpm/light_nodes.hpp"
 
 namespace sandgraph::mpm {
 namespace {
@@ -41,17 +42,19 @@ void move_rows(Field& field, const GridShape& shape, const Factors& k, int from,
     }
 }
 
-void update_field(const GridStep& step, const GridShape& shape, const Factors& k, Field& field) {
+void move_field(const GridShape& shape, const Factors& k, Field& field) {
     const NodeBox& box = field.box;
     if (box.empty()) return;
-    fold(field, shape, step.boundaries);
     constexpr int rows = 16;
     if ((box.j1 - box.j0) * (box.i1 - box.i0) < 4000)
         move_rows(field, shape, k, box.j0, box.j1 + 1);
     else
         oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(box.j0, box.j1 + 1, rows),
                                   [&](const auto& r) { move_rows(field, shape, k, r.begin(), r.end()); });
-    constrain(field, shape, step.boundaries, step.dt);
+}
+
+void constrain_all(const GridStep& step, Grid& grid) {
+    for (Field& field : grid.fields) constrain(field, grid.shape, step.boundaries, step.dt);
 }
 
 }  // namespace
@@ -61,7 +64,14 @@ void update_grid(const GridStep& step, Grid& grid) {
     SG_EXPECT(step.damping >= 0 && step.damping < 1);
     const Factors k = {step.dt,      step.gravity.x(),      step.gravity.y(),
                        step.damping, 1 / step.mass_scaling, mass_floor * grid.point_mass};
-    for (Field& field : grid.fields) update_field(step, grid.shape, k, field);
+    for (Field& field : grid.fields) fold(field, grid.shape, step.boundaries);
+    const std::vector<Follower> followers = find_followers(grid, step.boundaries, step.light);
+    give(followers, grid);
+    for (Field& field : grid.fields) move_field(grid.shape, k, field);
+    constrain_all(step, grid);
+    if (followers.empty()) return;
+    follow(followers, grid);
+    constrain_all(step, grid);  // a follower on a wall keeps to it
 }
 
 }  // namespace sandgraph::mpm

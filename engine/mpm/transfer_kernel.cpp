@@ -45,6 +45,7 @@ HWY_INLINE void load_point(const Points& points, std::size_t p, Load& load) {
     const double m = points.mass[p], V = points.volume[p];
     const Stress& s = points.stress[p];
     load.q[0] = m, load.q[1] = m * points.vx[p], load.q[2] = m * points.vy[p];
+    load.q[5] = m * points.x[p], load.q[6] = m * points.y[p], load.q[7] = m;
     load.gx[3] = -V * s.xx, load.gx[4] = -V * s.xy;
     load.gy[3] = load.gx[4], load.gy[4] = -V * s.yy;
 }

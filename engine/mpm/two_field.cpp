@@ -44,6 +44,7 @@ void scatter_point(std::size_t p, const Points& points, Grid& grid) {
         node.mass += S * m;
         node.px += S * m * points.vx[p];
         node.py += S * m * points.vy[p];
+        node.mx += S * m * points.x[p], node.my += S * m * points.y[p], node.own += S * m;
         node.fx -= V * (s.xx * dx + s.xy * dy);
         node.fy -= V * (s.xy * dx + s.yy * dy);
     });

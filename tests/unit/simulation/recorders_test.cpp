@@ -80,6 +80,23 @@ TEST(LoadRecorder, TheKineticShareIsOfThePlatesWork) {
     EXPECT_NEAR(recorder.kinetic_share_max(), largest, 1e-12);
 }
 
+// A plate that has done less than it takes to lift what lies on it: the ratio is over that work, never over
+// nothing.
+TEST(LoadRecorder, TheKineticShareIsOverTheWorkOfLiftingAtLeast) {
+    Simulation simulation(pulled());
+    constexpr double unit = 1e9;
+    LoadRecorder recorder(1e-9, 1, unit);
+    double largest = 0;
+    for (int k = 0; k < 200; ++k) {
+        simulation.step();
+        const auto row = recorder.after_step(simulation);
+        if (simulation.d_over_B() < 0.005) continue;
+        largest = std::max(largest, row->kinetic_energy / (unit * simulation.travel()));
+    }
+    ASSERT_GT(largest, 0);
+    EXPECT_NEAR(recorder.kinetic_share_max(), largest, 1e-9 * largest);
+}
+
 TEST(RegionRecorder, ARegionInPlateWidthsLiesAboutThePlate) {
     const Simulation simulation(pulled());
     const RegionRecorder recorder(with({"A", false, false, {0.5, 1}, {-0.25, 0.25}, {}}), simulation, 0.2);
