@@ -85,7 +85,7 @@ TEST(AtomicFile, SweepsWhatADeadWriterHasLeft) {
     const pid_t dead = fork();
     if (dead == 0) _exit(0);
     waitpid(dead, nullptr, 0);
-    const auto left = [&](pid_t pid) { return scratch / ("x.h5." + std::to_string(pid) + "-0.tmp"); };
+    const auto left = [&](pid_t pid) { return scratch / ("x.h5." + std::to_string(pid) + "-999.tmp"); };
     for (const fs::path& file :
          {left(dead), left(getpid()), scratch / "x.h5.copy.tmp", scratch / "y.h5.1-0.tmp"}) {
         overwrite(file, "part");
