@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/process.hpp"
-#include "dem/element_test/element_test.hpp"
+#include "dem/grain_scale.hpp"
 #include "scene/check_scene.hpp"
 #include "simulation/programme.hpp"
 
@@ -49,7 +49,7 @@ double expected_modulus(const scene::Scene& s) {
     if (!of_grains(s)) return s.ground.continuum.elastic().p_wave();
     const scene::Grains& g = s.ground.grains;
     constexpr double stiffer = 1.8;  // packings of Table 1 at 90 kPa, beside two grains
-    return stiffer * dem::typical_modulus(std::array{g.radius_min, g.radius_max}, g.material);
+    return stiffer * dem::grain_scale(std::array{g.radius_min, g.radius_max}, g.material).modulus;
 }
 
 Estimate estimate(const scene::Scene& s, int threads) {

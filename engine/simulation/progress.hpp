@@ -39,7 +39,8 @@ class TimeLeft {
 class Progress {
   public:
     explicit Progress(std::FILE* out = stderr) : line_(out) {}
-    void update(const ProgressState& state, double now = wall_clock());  // now [s], any origin
+    bool due(double now = wall_clock()) const { return line_.due(now); }  // is it time to show again?
+    void update(const ProgressState& state, double now = wall_clock());   // now [s], any origin
     void finish() { line_.finish(); }
 
   private:

@@ -48,7 +48,8 @@ RunEnd RunSession::go() {
         simulation_->step();
         recorders_.after_step(*simulation_);
         if (checkpoint_.due()) checkpoint();
-        progress.update(standing(*simulation_, options_.until, recorders_.loads().last()));
+        if (progress.due())
+            progress.update(standing(*simulation_, options_.until, recorders_.loads().last()));
     }
     if (went_all_the_way()) {
         simulation_->state().law->conclude(simulation_->d_over_B());
