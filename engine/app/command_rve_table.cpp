@@ -7,8 +7,8 @@
 #include "base/console.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
+#include "laboratory/friction_table.hpp"
 #include "laboratory/soil_laboratory.hpp"
-#include "laboratory/strength_table.hpp"
 #include "report/biaxial_picture.hpp"
 
 namespace sandgraph::app {
@@ -29,9 +29,9 @@ laboratory::LaboratoryPlan shortened(laboratory::LaboratoryPlan plan) {
     return plan;
 }
 
-std::vector<laboratory::StrengthRow> strength_rows(const std::vector<laboratory::Specimen>& specimens) {
-    std::vector<laboratory::StrengthRow> rows;
-    for (const laboratory::Specimen& specimen : specimens) rows.push_back(laboratory::strength_row(specimen));
+std::vector<laboratory::FrictionRow> friction_rows(const std::vector<laboratory::Specimen>& specimens) {
+    std::vector<laboratory::FrictionRow> rows;
+    for (const laboratory::Specimen& specimen : specimens) rows.push_back(laboratory::friction_row(specimen));
     return rows;
 }
 
@@ -65,10 +65,10 @@ void run(const Options& options) {
     const std::filesystem::path folder = options.folder;
     const io::FolderLock owner(folder);
     const auto specimens = test_with_progress(options.quick ? shortened(options.plan) : options.plan);
-    const std::vector<laboratory::StrengthRow> rows = strength_rows(specimens);
-    io::write_text(folder / "table1.csv", laboratory::strength_csv(rows));
+    const std::vector<laboratory::FrictionRow> rows = friction_rows(specimens);
+    io::write_text(folder / "table1.csv", laboratory::friction_csv(rows));
     draw_pictures(folder, specimens);
-    fmt::print("{}{}: table1.csv, biaxial_dense.png, biaxial_loose.png\n", laboratory::strength_table(rows),
+    fmt::print("{}{}: table1.csv, biaxial_dense.png, biaxial_loose.png\n", laboratory::friction_table(rows),
                options.folder);
 }
 
@@ -76,7 +76,7 @@ void run(const Options& options) {
 
 void add_rve_table(CLI::App& rve) {
     CLI::App* table =
-        rve.add_subcommand("table", "strength of Table 1 sand: biaxial tests over several seeds");
+        rve.add_subcommand("table", "peak friction of Table 1 sand: biaxial tests over several seeds");
     auto options = std::make_shared<Options>();
     table->add_option("-o,--out", options->folder, "folder for table and pictures")->capture_default_str();
     CLI::Option* seeds = table->add_option("--seeds", options->plan.seeds, "packings of each density");

@@ -9,7 +9,7 @@
 
 namespace sandgraph::laboratory {
 
-// A strength testing programme on Table 1 sand (Liang et al. 2021): dense (n = 0.16) and loose (0.20)
+// A friction testing programme on Table 1 sand (Liang et al. 2021): dense (n = 0.16) and loose (0.20)
 // packings of several seeds by our recipes, each in biaxial compression at three confining pressures on the
 // fast kernel.
 struct LaboratoryPlan {

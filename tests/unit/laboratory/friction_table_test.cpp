@@ -1,4 +1,4 @@
-#include "laboratory/strength_table.hpp"
+#include "laboratory/friction_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,8 @@ Specimen specimen(const std::string& density, std::uint64_t seed, double peak) {
     return s;
 }
 
-TEST(StrengthRow, TakesThePeakOfTheFirstTenPerCentAndTheMeanOfTheLastFive) {
-    const StrengthRow row = strength_row(specimen("dense", 1, 30 * degree));
+TEST(FrictionRow, TakesThePeakOfTheFirstTenPerCentAndTheMeanOfTheLastFive) {
+    const FrictionRow row = friction_row(specimen("dense", 1, 30 * degree));
     for (const double peak : row.peak) EXPECT_NEAR(peak, 30 * degree, 1e-12);
     EXPECT_NEAR(row.line, 30 * degree, 1e-12);
     EXPECT_NEAR(row.late_sin_phi, 0.25, 1e-12);
@@ -45,9 +45,9 @@ TEST(StrengthRow, TakesThePeakOfTheFirstTenPerCentAndTheMeanOfTheLastFive) {
 }
 
 TEST(Spread, OfThreeNumbersByHand) {
-    std::vector<StrengthRow> rows;
+    std::vector<FrictionRow> rows;
     for (const double angle : {28.0, 30.0, 35.0})
-        rows.push_back(strength_row(specimen("dense", 1, angle * degree)));
+        rows.push_back(friction_row(specimen("dense", 1, angle * degree)));
     const Spread s = spread(rows);
     const std::size_t line = 5;
     EXPECT_NEAR(s.mean[line], 31, 1e-9);
@@ -57,11 +57,11 @@ TEST(Spread, OfThreeNumbersByHand) {
     EXPECT_EQ(spread(std::span(rows).first(1)).deviation[line], 0);
 }
 
-TEST(StrengthCsv, HasARowForEachSpecimenAndFourForEachDensity) {
-    std::vector<StrengthRow> rows;
+TEST(FrictionCsv, HasARowForEachSpecimenAndFourForEachDensity) {
+    std::vector<FrictionRow> rows;
     for (const char* density : {"dense", "loose"})
-        for (const std::uint64_t seed : {1, 2}) rows.push_back(strength_row(specimen(density, seed, 0.5)));
-    std::istringstream csv(strength_csv(rows));
+        for (const std::uint64_t seed : {1, 2}) rows.push_back(friction_row(specimen(density, seed, 0.5)));
+    std::istringstream csv(friction_csv(rows));
     std::string line;
     std::size_t lines = 0, columns = 2 + kFigures.size();
     for (; std::getline(csv, line); ++lines)

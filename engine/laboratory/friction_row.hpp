@@ -10,7 +10,7 @@ namespace sandgraph::laboratory {
 
 // What the biaxial tests of one packing say. Late values are means over 15 to 20 % axial strain and the three
 // pressures.
-struct StrengthRow {
+struct FrictionRow {
     std::string density;
     std::uint64_t seed = 0;
     double porosity = 0, coordination = 0;  // at 10 kPa
@@ -18,7 +18,7 @@ struct StrengthRow {
     double line = 0;                        // the same by one line through the origin [rad]
     double late_sin_phi = 0, late_porosity = 0, late_anisotropy = 0;  // q/p, n, F_a
 };
-StrengthRow strength_row(const Specimen& specimen);
+FrictionRow friction_row(const Specimen& specimen);
 
 // The figures of a row in the order of `kFigures`; angles in degrees.
 struct Figure {
@@ -35,12 +35,12 @@ inline constexpr std::array<Figure, 9> kFigures = {{{"porosity_10kPa", "n 10kPa"
                                                     {"late_porosity", "n", 3},
                                                     {"late_Fa", "F_a", 3}}};
 using Figures = std::array<double, kFigures.size()>;
-Figures figures(const StrengthRow& row);
+Figures figures(const FrictionRow& row);
 
 // Mean, standard deviation (of the sample, n - 1), least and largest of each figure.
 struct Spread {
     Figures mean{}, deviation{}, least{}, largest{};
 };
-Spread spread(std::span<const StrengthRow> rows);
+Spread spread(std::span<const FrictionRow> rows);
 
 }  // namespace sandgraph::laboratory

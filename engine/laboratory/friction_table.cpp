@@ -1,4 +1,4 @@
-#include "laboratory/strength_table.hpp"
+#include "laboratory/friction_table.hpp"
 
 #include <fmt/format.h>
 
@@ -36,17 +36,17 @@ std::string headings() {
     return text + "\n";
 }
 
-std::vector<StrengthRow> of_density(std::span<const StrengthRow> rows, const std::string& density) {
-    std::vector<StrengthRow> chosen;
-    for (const StrengthRow& row : rows)
+std::vector<FrictionRow> of_density(std::span<const FrictionRow> rows, const std::string& density) {
+    std::vector<FrictionRow> chosen;
+    for (const FrictionRow& row : rows)
         if (row.density == density) chosen.push_back(row);
     return chosen;
 }
 
-std::string section(std::span<const StrengthRow> rows) {
+std::string section(std::span<const FrictionRow> rows) {
     const std::string& density = rows.front().density;
     std::string text;
-    for (const StrengthRow& row : rows) text += line(fmt::format("{} {}", density, row.seed), figures(row));
+    for (const FrictionRow& row : rows) text += line(fmt::format("{} {}", density, row.seed), figures(row));
     const Spread s = spread(rows);
     text += line("mean", s.mean) + line("sd", s.deviation) + line("min", s.least) + line("max", s.largest);
     const Published p = published(density);
@@ -56,18 +56,18 @@ std::string section(std::span<const StrengthRow> rows) {
 
 }  // namespace
 
-std::string strength_table(std::span<const StrengthRow> rows) {
+std::string friction_table(std::span<const FrictionRow> rows) {
     std::string text = headings();
     for (const char* density : kDensities)
         if (const auto chosen = of_density(rows, density); !chosen.empty()) text += section(chosen);
     return text + kLate;
 }
 
-std::string strength_csv(std::span<const StrengthRow> rows) {
+std::string friction_csv(std::span<const FrictionRow> rows) {
     std::string text = "density,seed";
     for (const Figure& f : kFigures) text += std::string(",") + f.name;
     text += "\n";
-    for (const StrengthRow& row : rows)
+    for (const FrictionRow& row : rows)
         text += csv_line(row.density, fmt::format("{}", row.seed), figures(row));
     for (const char* density : kDensities) {
         const auto chosen = of_density(rows, density);
