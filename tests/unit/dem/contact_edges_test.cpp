@@ -28,8 +28,8 @@ TEST(ContactLaw, TheStepOfBirthTurnsAContactInIncrementsOnly) {
 TEST(NeighbourList, BoundsHowMuchCloserGrainsCanHaveCome) {
     FastState state;
     state.radius_max = 0.007, state.L << 3, 0, 0, -4;
-    const NeighbourList list(2e-4);
-    EXPECT_NEAR(list.approach(state, 0.25, 1e-3), 1e-3 * (2 * 0.5 + 5 * (0.014 + 2e-4)), 1e-15);
+    const NeighbourList list;
+    EXPECT_NEAR(list.approach(state, 0.25, 1e-3), 1e-3 * (2 * 0.5 + 5 * (0.014 + listed_gap(0.007))), 1e-15);
 }
 
 TEST(FastAssembly, AContactGivenFromTheOtherGrainHasTheOtherMoment) {
