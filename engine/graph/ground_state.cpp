@@ -2,16 +2,12 @@
 
 #include <stdexcept>
 
-#include "mpm/light_nodes.hpp"
-
 namespace sandgraph::graph {
 
 GroundState::GroundState(StepSettings step_settings, mpm::Points ground, const mpm::GridShape& shape)
     : settings(step_settings), points(std::move(ground)), grid(shape), all_points(points.size()) {
     std::iota(all_points.begin(), all_points.end(), 0);
-    if (points.mass.empty()) return;
-    grid.point_mass = points.mass.front();
-    light = mpm::light_mass(points, shape);
+    if (!points.mass.empty()) grid.point_mass = points.mass.front();
 }
 
 void GroundState::add_body(const mpm::RigidPlate& plate) {

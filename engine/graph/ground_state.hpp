@@ -40,7 +40,7 @@ struct GroundState {
     std::vector<Body> bodies;
     std::unique_ptr<stress::Law> law;
     std::vector<std::int32_t> all_points;  // 0 .. N-1, the law's batch
-    double light = 0;                      // mass of a node that follows its neighbours [kg/m]
+    double light = 0;  // a lighter node follows its neighbours [kg/m] (mpm/light_nodes.hpp)
     mpm::Status status;
     double d_over_B = 0;     // of the anchor before this step, for the law's records; 0 without one
     double stress_work = 0;  // accumulated sum of V sigma : d(eps), mid-step [J/m]

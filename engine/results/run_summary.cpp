@@ -189,11 +189,22 @@ std::string formula_text(const io::Summary& s, bool up) {
     return out;
 }
 
+std::string energy_text(double share) {
+    // Stopped before it was looked at, or the ground has worked on the plate all the time.
+    return std::isnan(share) ? "kinetic energy over the plate's work: -"
+                             : fmt::format("kinetic energy at most {:.2g} of the plate's work", share);
+}
+
+std::string energy_text(double share) {
+    // Stopped before it was looked at, or the ground has worked on the plate all the time.
+    return std::isnan(share) ? "kinetic energy over the plate's work: -"
+                             : fmt::format("kinetic energy at most {:.2g} of the plate's work", share);
+}
+
 std::string loads_text(const io::Summary& s, bool up) {
-    const double share = s.kinetic_to_strain_energy_max;
     return breakout_text(s) + later_text(s) + formula_text(s, up) +
-           fmt::format("late load {:.1f} kN/m, kinetic energy at most {} of the plate's work\n",
-                       s.late_load / 1000, std::isnan(share) ? "-" : fmt::format("{:.2g}", share));
+           fmt::format("late load {:.1f} kN/m, {}\n", s.late_load / 1000,
+                       energy_text(s.kinetic_to_strain_energy_max));
 }
 
 }  // namespace

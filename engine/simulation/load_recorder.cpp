@@ -21,7 +21,7 @@ void LoadRecorder::add(const Simulation& simulation) {
 }
 
 double LoadRecorder::work_scale(const Simulation& simulation) const {
-    return std::fmax(std::fabs(plate_work_), unit_load_ * simulation.travel());
+    return std::fmax(plate_work_, unit_load_ * simulation.travel());
 }
 
 std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation) {
@@ -29,7 +29,7 @@ std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation
     steps_ += 1;
     if (simulation.mark() < next_) return std::nullopt;
     const io::LoadRow out = row(simulation, load_ / steps_);
-    if (simulation.d_over_B() >= kQuasiStaticFrom)
+    if (simulation.d_over_B() >= kQuasiStaticFrom && plate_work_ > 0)  // soft ground may push the plate first
         kinetic_share_max_ = std::fmax(kinetic_share_max_, out.kinetic_energy / work_scale(simulation));
     while (next_ <= simulation.mark()) next_ += every_;
     steps_ = d_ = load_ = leading_ = trailing_ = 0;

@@ -20,8 +20,8 @@ class LoadRecorder {
     // After each step; a row when one is due.
     std::optional<io::LoadRow> after_step(const Simulation& simulation);
     // Largest kinetic energy over the plate's work, from d/B = 0.005 on: how far from quasi-static. Where the
-    // plate has worked less (or backwards, lifted by what presses from below) than it takes to lift what lies
-    // on it, that work counts. NaN before.
+    // plate has worked less than it takes to lift what lies on it, that work counts. NaN before, and where
+    // the ground has worked on the plate.
     double kinetic_share_max() const { return kinetic_share_max_; }
     double last() const { return last_; }  // load of the last row [N/m]
     void archive(Archive& a);

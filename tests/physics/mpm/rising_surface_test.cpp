@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mpm/light_nodes.hpp"
 #include "scene/read_scene.hpp"
 #include "simulation/scene_spec.hpp"
 
@@ -30,6 +31,7 @@ law = "mohr_coulomb"
 std::vector<double> rise(const scene::Scene& scene, double pull) {
     const packings::PreparedGround ground = packings::prepare_ground(scene);
     const auto simulation = simulation_of(scene, ground);
+    simulation->state().light = mpm::light_mass(simulation->state().points, simulation->state().grid.shape);
     const mpm::Points before = simulation->state().points;
     while (simulation->travel() < pull) simulation->step();
     const mpm::Points& after = simulation->state().points;

@@ -39,7 +39,7 @@ TEST(OutputName, OfAnotherKindIsRefusedAndNothingIsWritten) {
 TEST(WrongFile, IsToldByItsKind) {
     const Shell shell("kinds");
     shell.write("t.toml", kTest), shell.write("s.toml", "[anchor]\nwidth = \"1 m\"\n"),
-        shell.write("P.CSV", kPacking);
+        shell.write("P.CSV", lattice());
     expect_bad_input(shell.run("run t.toml -o out"), "t.toml:1", "an element test, not a scene");
     expect_bad_input(shell.run("rve test s.toml --packing P.CSV"), "s.toml:1",
                      "a scene, not an element test");
