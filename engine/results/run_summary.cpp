@@ -195,12 +195,6 @@ std::string energy_text(double share) {
                              : fmt::format("kinetic energy at most {:.2g} of the plate's work", share);
 }
 
-std::string energy_text(double share) {
-    // Stopped before it was looked at, or the ground has worked on the plate all the time.
-    return std::isnan(share) ? "kinetic energy over the plate's work: -"
-                             : fmt::format("kinetic energy at most {:.2g} of the plate's work", share);
-}
-
 std::string loads_text(const io::Summary& s, bool up) {
     return breakout_text(s) + later_text(s) + formula_text(s, up) +
            fmt::format("late load {:.1f} kN/m, {}\n", s.late_load / 1000,
