@@ -105,6 +105,17 @@ void remove_temporaries(const fs::path& final_path) {
     remove_if(final_path, [](auto&&...) { return true; });
 }
 
+void remove_all_temporaries(const fs::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const std::size_t end = name.rfind('.', name.size() - 5);  // of the final name, before ".PID-N.tmp"
+        if (entry.path().extension() == ".tmp" && end != std::string::npos &&
+            writer_of(entry.path(), name.substr(0, end)) > 0)
+            fs::remove(entry.path(), ignored);
+    }
+}
+
 void AtomicFile::commit() {
     SG_EXPECT(!committed_);
     sync_to_disk(temporary_);
