@@ -35,34 +35,46 @@ fs::path own_name(const fs::path& final_path) {
     return fmt::format("{}.{}-{}.tmp", final_path.string(), getpid(), count++);
 }
 
-// The process in "FILE.1234-0.tmp"; 0 for any other name.
-pid_t writer_of(const fs::path& file, const std::string& final_name) {
+// "FILE.1234-0.tmp" taken to pieces; writer 0: no temporary of ours.
+struct Temporary {
+    std::string final_name;
+    pid_t writer = 0;
+};
+Temporary parsed(const fs::path& file) {
     const std::string name = file.filename().string();
+    if (file.extension() != ".tmp") return {};
+    const std::size_t dot = file.stem().string().rfind('.');
     int pid = 0, count = 0, length = 0;
-    if (!name.starts_with(final_name + '.')) return 0;
-    const char* rest = name.c_str() + final_name.size();
-    if (std::sscanf(rest, ".%d-%d.tmp%n", &pid, &count, &length) != 2 || rest[length] != 0) return 0;
-    return length > 0 ? pid : 0;
+    if (dot == std::string::npos ||
+        std::sscanf(name.c_str() + dot, ".%d-%d.tmp%n", &pid, &count, &length) != 2 ||
+        dot + static_cast<std::size_t>(length) != name.size())
+        return {};
+    return {name.substr(0, dot), pid};
 }
 
 // No process of this machine has it, and none of another one has touched it for a while.
 bool abandoned(const fs::path& file, pid_t writer) {
-    if (writer <= 0 || ::kill(writer, 0) == 0 || errno != ESRCH) return false;
+    if (::kill(writer, 0) == 0 || errno != ESRCH) return false;
     std::error_code gone;
     const auto age = fs::file_time_type::clock::now() - fs::last_write_time(file, gone);
     return !gone && age > std::chrono::minutes(10);
 }
 
+// Of `folder` the temporaries that are wanted(file, parsed).
 template <class Wanted>
-void remove_if(const fs::path& final_path, const Wanted& wanted) {
-    const std::string name = final_path.filename().string();
+void remove_temporaries(const fs::path& folder, const Wanted& wanted) {
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folder_of(final_path), ignored))
-        if (const pid_t writer = writer_of(entry.path(), name); writer > 0 && wanted(entry.path(), writer))
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (const Temporary t = parsed(entry.path()); t.writer > 0 && wanted(entry.path(), t))
             fs::remove(entry.path(), ignored);
 }
 
-void remove_abandoned(const fs::path& final_path) { remove_if(final_path, abandoned); }
+void remove_abandoned(const fs::path& final_path) {
+    const std::string name = final_path.filename().string();
+    remove_temporaries(folder_of(final_path), [&](const fs::path& file, const Temporary& t) {
+        return t.final_name == name && abandoned(file, t.writer);
+    });
+}
 
 // Tried out: access() says yes to root even where nothing can be written.
 bool can_write_in(const fs::path& folder) {
@@ -101,19 +113,8 @@ AtomicFile::~AtomicFile() {
     if (!committed_) fs::remove(temporary_, ignored);
 }
 
-void remove_temporaries(const fs::path& final_path) {
-    remove_if(final_path, [](auto&&...) { return true; });
-}
-
-void remove_all_temporaries(const fs::path& folder) {
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        const std::size_t end = name.rfind('.', name.size() - 5);  // of the final name, before ".PID-N.tmp"
-        if (entry.path().extension() == ".tmp" && end != std::string::npos &&
-            writer_of(entry.path(), name.substr(0, end)) > 0)
-            fs::remove(entry.path(), ignored);
-    }
+void remove_temporaries(const fs::path& folder) {
+    remove_temporaries(folder, [](auto&&...) { return true; });
 }
 
 void AtomicFile::commit() {

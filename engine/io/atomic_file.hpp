@@ -26,11 +26,8 @@ class AtomicFile {
     bool committed_ = false;
 };
 
-// What killed writers of `final_path` have left; for the owner of its folder.
-void remove_temporaries(const std::filesystem::path& final_path);
-
-// The same of every file in `folder`, if there is one.
-void remove_all_temporaries(const std::filesystem::path& folder);
+// What killed writers have left in `folder`, if there is one; for its owner.
+void remove_temporaries(const std::filesystem::path& folder);
 
 // Writes a whole text file atomically.
 void write_text(const std::filesystem::path& path, std::string_view text);

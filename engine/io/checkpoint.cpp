@@ -57,7 +57,6 @@ fs::path previous_checkpoint(const fs::path& path) { return path.string() + ".pr
 void remove_checkpoints(const fs::path& path) {
     fs::remove(path);
     fs::remove(previous_checkpoint(path));
-    remove_temporaries(path);
 }
 
 CheckpointWriter::CheckpointWriter(const fs::path& path, const CheckpointHeader& header)

@@ -18,7 +18,7 @@ struct CheckpointHeader {
 
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path);  // PATH.prev
 
-// Removes PATH, PATH.prev, and what killed writers have left of it.
+// Removes PATH and PATH.prev.
 void remove_checkpoints(const std::filesystem::path& path);
 
 // Writes a checkpoint beside PATH; commit() seals it, brings it to the disk and renames it, and the

@@ -36,7 +36,6 @@ void remove_stale(const fs::path& folder) {
     remove_kind(folder / "pictures", ".svg"), remove_kind(folder / "pictures", ".pdf");
     for (const char* name : kBesideRun) fs::remove(folder / name);
     fs::remove(folder / "run.h5");  // last: it tells whose the others are
-    remove_temporaries(folder / "run.h5");
 }
 
 bool is_run(const fs::path& file) try {

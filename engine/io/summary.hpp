@@ -29,8 +29,8 @@ struct Summary {
         std::int64_t points = 0;
         double stress_error_mean = unknown, ci95 = unknown;
     } audit;
-    std::optional<bool> surrogate_knows_this_sand;  // of a screening run; else the key is absent
-    std::vector<std::string> warnings;                    // what makes the results doubtful, a line each
+    std::optional<bool> surrogate_knows_this_sand;      // of a screening run; else the key is absent
+    std::vector<std::string> warnings;                  // what makes the results doubtful, a line each
     std::vector<std::pair<std::string, double>> extra;  // further keys, behind the fixed ones
 
     double number(const std::string& key) const;  // of `extra`; NaN if it has none such

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -62,14 +61,11 @@ bool read_cached(const fs::path& file, const std::string& recipe, dem::Packing& 
     }
 }
 
-// Written under a name of this process's own: runs started together prepare the same packings.
-void keep(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+void keep(const fs::path& file, const std::function<void()>& write) {
     if (!file.has_parent_path()) return;  // no folder for a cache
-    const fs::path own = file.string() + "." + std::to_string(getpid());
     try {
         fs::create_directories(file.parent_path());
-        write(own);
-        fs::rename(own, file);
+        write();
     } catch (const std::exception&) {
         // Without a writable cache the next run prepares again.
     }
@@ -84,7 +80,7 @@ dem::Packing cached_packing(const std::string& recipe, const dem::Material& mate
     dem::Packing packing;
     if (read_cached(file, text, packing)) return packing;
     packing = make();
-    keep(file, [&](const fs::path& own) { io::write_packing(own, {packing, material, text}); });
+    keep(file, [&] { io::write_packing(file, {packing, material, text}); });
     return packing;
 }
 
@@ -95,8 +91,7 @@ std::vector<double> cached_numbers(const std::string& recipe, std::size_t count,
     std::vector<double> values{std::istream_iterator<double>(in), {}};
     if (values.size() == count) return values;
     values = make();
-    keep(file,
-         [&](const fs::path& own) { io::write_text(own, fmt::format("{:.17g}\n", fmt::join(values, " "))); });
+    keep(file, [&] { io::write_text(file, fmt::format("{:.17g}\n", fmt::join(values, " "))); });
     return values;
 }
 

@@ -57,7 +57,7 @@ PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback&
     ground.row_pressure = in_situ(scene, ground.density);
     make_rows(packings, ground, progress);
     ground.friction_angle = packings.friction(progress);
-    ground.friction = sampled_friction(grains, progress);
+    ground.friction = sampled_friction(grains, ground.friction_angle, progress);
     for (const graph::RowPacking& row : ground.rows)
         ground.traits.push_back(packings.traits(row, ground.friction_angle));
     return ground;

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -35,11 +36,11 @@ FrictionSample friction_sample(std::span<const double> angles) {
     return out;
 }
 
-FrictionSample sampled_friction(const scene::Grains& grains, const ProgressCallback& progress) {
-    std::array<double, kSample> angles{};
+FrictionSample sampled_friction(const scene::Grains& grains, double first, const ProgressCallback& progress) {
+    std::array<double, kSample> angles{first};
     const std::size_t count = grains.packing.empty() ? kSample : 1;
-    Tally tally(count, progress);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+    Tally tally(std::max<std::size_t>(count - 1, 1), progress);
+    tbb::parallel_for(std::size_t{1}, count, [&](std::size_t k) {
         scene::Grains one = grains;
         one.seed += k;
         const CompressedPackings packings(one);

@@ -46,8 +46,7 @@ double formula_of(const results::FinishedRun& run) {
 // The largest load of a curve that still rises tells nothing of the formula.
 std::string difference(const results::FinishedRun& run) {
     const double share = run.summary.n_gamma / formula_of(run) - 1;
-    return run.summary.breakout && std::isfinite(share) ? fmt::format("{:+.1f} %", 100 * share)
-                                                                   : "-";
+    return run.summary.breakout && std::isfinite(share) ? fmt::format("{:+.1f} %", 100 * share) : "-";
 }
 
 std::string friction(const results::FinishedRun& run) {

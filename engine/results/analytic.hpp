@@ -21,8 +21,9 @@ double critical_embedment(double friction_angle);
 double meyerhof_adams(double embedment_ratio, double friction_angle);
 double meyerhof_adams(double embedment_ratio, double friction_angle, double critical_ratio);
 
-// The same for a rough plate `thickness` thick: the sand beside its ends is dragged along, so that the block starts from
-// the lower corners, N = 1 + K_u tan(phi) (H + t)^2 / (H B). NaN on the deep branch, which has no such block.
+// The same for a rough plate `thickness` thick: the sand beside its ends is dragged along, so that the block
+// starts from the lower corners, N = 1 + K_u tan(phi) (H + t)^2 / (H B). NaN on the deep branch, which has no
+// such block.
 double meyerhof_adams_thick(double embedment_ratio, double thickness_ratio, double friction_angle);
 
 // Vertical plate pulled sideways, Biarez et al. (1965), eq. 21: N = 4 pi (1 - B/H) tan(phi); zero for H <= B.

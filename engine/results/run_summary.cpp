@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "base/revision.hpp"
 #include "results/analytic.hpp"
+#include "results/finished_run.hpp"
 #include "results/known_sand.hpp"
 #include "results/peak.hpp"
 #include "results/screening_summary.hpp"
@@ -21,10 +22,6 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kQuasiStatic = 0.1;  // kinetic energy over the plate's work
 
-bool pulled_upwards(const scene::Scene& scene) {
-    return scene.anchor.orientation == scene::Orientation::horizontal;
-}
-
 struct Curve {
     std::vector<double> d, load;
 };
@@ -37,7 +34,7 @@ Curve curve_of(const io::RunRecord& record) {
 
 // The formula for the scene's plate, textbook's form.
 double formula_at(const scene::Scene& scene, double ratio, double friction_angle) {
-    return pulled_upwards(scene) ? meyerhof_adams(ratio, friction_angle) : biarez(ratio, friction_angle);
+    return pulled_up(scene) ? meyerhof_adams(ratio, friction_angle) : biarez(ratio, friction_angle);
 }
 
 bool is_rough(const scene::Scene& scene, double friction_angle) {
@@ -50,7 +47,7 @@ void add_formula(const scene::Scene& scene, const packings::PreparedGround& grou
     const double ratio = simulation::equivalent_embedment(scene, ground) / scene.anchor.width;
     s.n_gamma_meyerhof_adams = meyerhof_adams(ratio, phi.mean);
     s.n_gamma_biarez = biarez(ratio, phi.mean);
-    if (pulled_upwards(scene) && is_rough(scene, phi.mean))
+    if (pulled_up(scene) && is_rough(scene, phi.mean))
         s.extra.emplace_back(
             "n_gamma_meyerhof_adams_thick",
             meyerhof_adams_thick(ratio, scene.anchor.thickness / scene.anchor.width, phi.mean));
@@ -205,7 +202,7 @@ std::string loads_text(const io::Summary& s, bool up) {
 
 std::string summary_text(const io::Summary& s, const scene::Scene& scene) {
     std::string out;
-    if (scene.anchor.present) out += loads_text(s, pulled_upwards(scene));
+    if (scene.anchor.present) out += loads_text(s, pulled_up(scene));
     for (const std::string& warning : s.warnings) out += "warning: " + warning + "\n";
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");

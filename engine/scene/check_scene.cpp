@@ -45,8 +45,7 @@ class Checks {
     }
     void densities() const {
         for (const char* name : {"continuum.density", "grains.grain_density"}) {
-            const auto* density = dynamic_cast<const Real*>(keys_.at(name).value.get());
-            if (ground_.gravity != standard_gravity && density && density->unit_weight())
+            if (ground_.gravity != standard_gravity && keys_.at(name).value->unit_weight())
                 refuse(name, "a unit weight is a density only at 9.81 m/s2, here gravity is another",
                        "write the density in kg/m3");
         }

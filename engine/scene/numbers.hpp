@@ -15,7 +15,7 @@ class Real : public Value {
     std::string shown() const override;
     std::string canonical() const override;
     std::string allowed() const override { return range_.text(unit_); }
-    bool unit_weight() const { return unit_weight_; }  // was a density written as weight?
+    bool unit_weight() const override { return unit_weight_; }
 
   protected:
     std::string shown(double value) const;

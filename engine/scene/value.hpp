@@ -30,6 +30,7 @@ class Value {
     virtual std::string shown() const = 0;      // as in a file: "30 kPa" with its quotes
     virtual std::string canonical() const = 0;  // for the hash: SI, 14 digits so that 7 mm is 0.7 cm
     virtual std::string allowed() const { return ""; }
+    virtual bool unit_weight() const { return false; }  // was a density written as weight?
 };
 
 }  // namespace sandgraph::scene

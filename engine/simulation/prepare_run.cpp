@@ -66,7 +66,7 @@ RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
     RunOptions o;
     o.folder = folder_of(request, scene);
     o.owner = std::make_shared<io::FolderLock>(o.folder);
-    for (const fs::path& held : {o.folder, o.folder / "packings"}) io::remove_all_temporaries(held);
+    for (const fs::path& held : {o.folder, o.folder / "packings"}) io::remove_temporaries(held);
     o.threads = threads_of(request);
     const double end = end_mark(scene);
     if (request.until > end) notice(fmt::format("--until {:g}: the run ends at {:g}", request.until, end));

@@ -96,7 +96,7 @@ TEST(AtomicFile, SweepsWhatADeadWriterHasLeft) {
     EXPECT_TRUE(fs::exists(left(getpid())));
     EXPECT_TRUE(fs::exists(scratch / "x.h5.copy.tmp"));
     EXPECT_TRUE(fs::exists(scratch / "y.h5.1-0.tmp"));
-    remove_all_temporaries(scratch.path());  // by the folder's owner
+    remove_temporaries(scratch.path());  // by the folder's owner
     EXPECT_FALSE(fs::exists(left(getpid())));
     EXPECT_FALSE(fs::exists(scratch / "y.h5.1-0.tmp"));
     EXPECT_TRUE(fs::exists(scratch / "x.h5.copy.tmp"));
