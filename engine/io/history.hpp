@@ -58,7 +58,7 @@ enum class HistoryPath : std::uint8_t {
     constant_volume,
     constant_pressure,
     mixed,
-    flow
+    critical_shear  // "flow" in files: long shear to the critical state
 };
 // A twin repeats the strain path of an earlier history: on another packing of the same kind, turned by
 // `rotation`, or with its increments cut in ten or ten of them joined. Twins measure the noise floor.

@@ -1,4 +1,4 @@
-#include "laboratory/probe_draw.hpp"
+#include "laboratory/probe_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ using std::numbers::pi;
 
 constexpr double kRowsLeast = 20;  // updates of a path, about
 constexpr double kAway = 3e-3;     // length of a leg of several that p cannot follow, at most
-constexpr double kApartMin = 1e-4, kApartMax = 2e-2;    // extension that pulls a flowing packing apart
-constexpr double kFlowIncrement = 2e-4;                 // |strain increment| of flow
+constexpr double kApartMin = 1e-4, kApartMax = 2e-2;    // extension that pulls a shearing packing apart
+constexpr double kCriticalIncrement = 2e-4;             // |strain increment| of critical-state shear
 constexpr double kDitherMin = 1e-6, kDitherMax = 2e-5;  // |strain increment| of grid noise
 
 // Random numbers of the plan; those along the path have the other seed.
@@ -101,7 +101,7 @@ class Draw {
     }
     // Shear far beyond the peak, as in a developed band: simple shear (which spins) or pure, p led slowly to
     // other values; between two legs the packing may lose its stress and find it again.
-    std::vector<ProbeLeg> flow() {
+    std::vector<ProbeLeg> critical_legs() {
         std::vector<ProbeLeg> legs;
         double axis = uniform(0, pi), pressure = 1;
         for (int left = static_cast<int>(uniform(1, 4)); left > 0; --left) {
@@ -122,12 +122,12 @@ class Draw {
         leg.direction = uniform(0.6 * pi, pi);
         return leg;
     }
-    ProbePath flowing() {
+    ProbePath critical_shear() {
         ProbePath out;
-        out.legs = flow();
+        out.legs = critical_legs();
         double length = 0;
         for (const ProbeLeg& leg : out.legs) length += leg.length;
-        out.increment = std::max(kFlowIncrement, length / paths_.flow_rows);
+        out.increment = std::max(kCriticalIncrement, length / paths_.flow_rows);
         out.share = std::numeric_limits<double>::infinity();  // p is held, however stiff
         out.updates = paths_.flow_rows;
         out.uneven = true;
@@ -173,8 +173,8 @@ ProbePath drawn(HistoryPath kind, Draw& draw) {
             return draw.path(draw.mixed());
         case HistoryPath::dither:
             return draw.dither();
-        case HistoryPath::flow:
-            return draw.flowing();
+        case HistoryPath::critical_shear:
+            return draw.critical_shear();
         default:
             return draw.path({draw.constant_pressure()});
     }

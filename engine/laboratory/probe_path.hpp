@@ -4,6 +4,7 @@
 #include "base/random.hpp"
 #include "base/tensor.hpp"
 #include "io/history.hpp"
+#include "scene/probe_spec.hpp"
 
 namespace sandgraph::laboratory {
 
@@ -33,6 +34,9 @@ struct ProbePath {
     bool reverting = false;    // the noise takes itself back in the next increment
     std::uint64_t stream = 0;  // of its random numbers
 };
+
+// A strain path of `kind` drawn at random by (seed of the recipe, `stream`); probe_draw.cpp.
+ProbePath draw_path(io::HistoryPath kind, const scene::ProbeSpec& spec, std::uint64_t stream);
 
 // Walks along a path, increment by increment.
 class ProbeWalk {

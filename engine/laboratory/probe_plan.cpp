@@ -4,7 +4,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "laboratory/probe_draw.hpp"
 #include "scene/grain_keys.hpp"
 
 namespace sandgraph::laboratory {
@@ -30,7 +29,7 @@ std::vector<HistoryPath> kinds(const scene::ProbeSpec& spec) {
     add(HistoryPath::proportional, p.proportional), add(HistoryPath::constant_volume, p.constant_volume);
     add(HistoryPath::constant_pressure, p.constant_pressure), add(HistoryPath::cyclic, p.cyclic);
     add(HistoryPath::dither, p.dither), add(HistoryPath::rotating, p.rotating),
-        add(HistoryPath::mixed, p.mixed), add(HistoryPath::flow, p.flow);
+        add(HistoryPath::mixed, p.mixed), add(HistoryPath::critical_shear, p.flow);
     Random random(spec.seed, kOrder);
     shuffle(out, random);
     return out;

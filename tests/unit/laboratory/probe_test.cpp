@@ -92,7 +92,7 @@ TEST(Probe, LogsEveryKindOfPathAndItsPackings) {
         if (info.twin == HistoryTwin::none) paths.insert(info.path);
     EXPECT_EQ(paths.count(HistoryPath::constant_pressure), 3u);
     EXPECT_EQ(paths.count(HistoryPath::dither), 1u);
-    EXPECT_EQ(paths.count(HistoryPath::flow), 2u);
+    EXPECT_EQ(paths.count(HistoryPath::critical_shear), 2u);
     EXPECT_EQ(paths.size(), 15u);
     ASSERT_EQ(log.packings.size(), 8u);
     for (const io::HistoryPacking& p : log.packings) {
