@@ -33,6 +33,7 @@ std::vector<double> forward(std::span<const Layer> layers, std::span<const doubl
     return y;
 }
 
+// docs/how_it_works.md (eqs. 36 and 37).
 Coefficients coefficients(const Model& model, const Member& m, const PointConstants& point, double p,
                           double strength_scale, const CriticalPull& critical,
                           std::span<const double> outputs) {

@@ -21,13 +21,13 @@ struct Coefficients {
     std::vector<double> dilatancy;  // D_k: plastic volume -D_k dgamma_k, compression positive
 };
 
-// (1 + b e^o)/(b + e^o), between 1/b and b, 1 at o = 0.
+// Equations: docs/how_it_works.md. F(o) = (1 + b e^o)/(b + e^o) (eq. 36), between 1/b and b, 1 at o = 0.
 inline double bounded_factor(double o, double b) {
     const double u = std::exp(o);
     return (1 + b * u) / (b + u);
 }
 
-// What critical state makes of a dilatancy before its tanh: share * toward + (1 - share) * its own.
+// What critical state makes of a dilatancy before its tanh (eq. 37): share * toward + (1 - share) * its own.
 struct CriticalPull {
     double share = 0, toward = 0;
 };

@@ -7,6 +7,7 @@
 namespace sandgraph::surrogate {
 namespace {
 
+// docs/how_it_works.md (eq. 35):
 // p = p_trial + K sum_k D_k dgamma_k with dgamma_k = max(|T_k| - r_k p, 0)/(2 G_k).
 double solve_pressure(const Coefficients& c, const std::vector<double>& trial, double p_trial, double p_min) {
     double p = p_trial;
@@ -29,6 +30,7 @@ Deviator MemberState::deviator() const {
     return std::accumulate(elements.begin(), elements.end(), Deviator{});
 }
 
+// (eq. 35)
 MemberState return_map(const MemberState& state, const Coefficients& c, std::span<const double> share,
                        Deviator de, double dv, double p_min) {
     MemberState next = state;

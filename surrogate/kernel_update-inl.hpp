@@ -1,5 +1,6 @@
 // Element update of the kernel; included once per instruction set (no include guard by design). Equations and
-// order of operations as in features.hpp, coefficients.cpp, element_update.cpp and point_update.cpp.
+// order of operations as in features.hpp, coefficients.cpp, element_update.cpp and point_update.cpp: (eqs. 35
+// to 37) of docs/how_it_works.md.
 #if defined(SANDGRAPH_SURROGATE_UPDATE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SANDGRAPH_SURROGATE_UPDATE_INL
 #undef SANDGRAPH_SURROGATE_UPDATE_INL

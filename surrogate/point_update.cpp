@@ -83,7 +83,7 @@ void turn(const stress::Increment& e, PointState& point) {
         for (Deviator& t : m.elements) t *= phase;
 }
 
-// Mean and spread of the members' stresses.
+// Mean and spread of the members' stresses: docs/how_it_works.md (eq. 37a).
 stress::SurrogateAnswer answer_of(const PointState& point) {
     double p = 0, spread = 0;
     Deviator s;

@@ -49,6 +49,7 @@ void Forward<T>::network(const Weights<T>& w, bool net) {
     }
 }
 
+// docs/how_it_works.md (eq. 37).
 template <class T>
 void Forward<T>::critical(const Weights<T>& w, const Given<T>& g, const State<T>& s) {
     gamma2 = s.gamma.square();
@@ -57,6 +58,7 @@ void Forward<T>::critical(const Weights<T>& w, const Given<T>& g, const State<T>
     toward = -w.pull * away;
 }
 
+// (eqs. 36 and 37)
 template <class T>
 void Forward<T>::coefficients(const Weights<T>& w, const Given<T>& g, const V& scale) {
     const T low = T(1 / bound), span = T(bound - 1 / bound);
@@ -71,6 +73,7 @@ void Forward<T>::coefficients(const Weights<T>& w, const Given<T>& g, const V& s
     }
 }
 
+// (eq. 35)
 template <class T>
 void Forward<T>::return_map(const Given<T>& g, const State<T>& s) {
     p_trial = (s.p + bulk * g.dv).max(g.p_least);

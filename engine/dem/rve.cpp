@@ -21,7 +21,8 @@ bool usable(const Mat2& F) { return F.allFinite() && F.determinant() > 1e-3 && F
 
 double mean(const Mat2& compression) { return 0.5 * (compression(0, 0) + compression(1, 1)); }
 
-// Largest strain rate [1/s]: bounded by the inertial number and by the strain of one DEM step.
+// docs/how_it_works.md (eq. 27): largest strain rate [1/s], bounded by the inertial number and by the strain
+// of one DEM step.
 double rate_limit(const CompactPacking& p, const Material& m, const RveOptions& o) {
     const double pressure = std::max(mean(p.stress), o.pressure_floor);
     const double inertial = o.inertial_number_max * std::sqrt(pressure / m.density) / p.grains->mean_diameter;
@@ -36,6 +37,7 @@ int settling_steps(double magnitude, double pressure, const RveOptions& o) {
     return static_cast<int>(std::ceil(std::min<double>(change / o.stress_per_step_max, o.settle_steps)));
 }
 
+// (eq. 27)
 int step_count(double magnitude, double rate, double pressure, const RveOptions& o) {
     const auto driven = static_cast<int>(std::ceil(magnitude / (rate * o.time_step)));
     return std::max({1, o.steps_min, driven, settling_steps(magnitude, pressure, o)});
@@ -165,7 +167,7 @@ RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOpti
     SG_EXPECT(options.pressure_floor > 0 && options.stress_per_step_max > 0);
     SG_EXPECT(material.density > 0 && material.depth > 0);
     if (!usable(F_inc)) return {RveStatus::bad_increment};
-    const Polar increment = polar(turned(F_inc, -angle_));
+    const Polar increment = polar(turned(F_inc, -angle_));  // (eq. 25)
     if (hencky(increment.U).norm() > kLargestIncrement) return {RveStatus::bad_increment};
     RveReport report{RveStatus::floating};
     double frame_turn = increment.angle;
@@ -189,7 +191,7 @@ RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOpti
 }
 
 // While a packing floats its grains stand still and only the cell's deformation is kept, until the volume at
-// which it last carried load comes back; shear since then may have raised that volume by dilation.
+// which it last carried load comes back (eq. 28); shear since then may have raised that volume by dilation.
 bool Rve::keep_floating(const Mat2& U) {
     constexpr double kDilation = 0.5, kDilationMost = 0.08;
     const Mat2 strain = hencky(polar(U * pending_).U);
@@ -205,7 +207,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     const double rate = rate_limit(before, material, options), dt = options.time_step;
     RveReport report;
     report.dem_steps = step_count(hencky(stretch).norm(), rate, mean(before.stress), options);
-    const Mat2 L = (root(stretch, report.dem_steps) - Mat2::Identity()) / dt;
+    const Mat2 L = (root(stretch, report.dem_steps) - Mat2::Identity()) / dt;  // (eq. 26)
     report.inertial_number =
         L.norm() * before.grains->mean_diameter *
         std::sqrt(material.density / std::max(mean(before.stress), options.pressure_floor));

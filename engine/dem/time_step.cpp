@@ -6,6 +6,7 @@
 
 namespace sandgraph::dem {
 
+// docs/how_it_works.md (eq. 24).
 double critical_time_step(const Material& m, std::span<const double> radii) {
     const auto [smallest, largest] = std::ranges::minmax(radii);
     const double mass = m.density * m.depth * std::numbers::pi * smallest * smallest;

@@ -9,7 +9,8 @@
 namespace sandgraph::graph {
 namespace {
 
-// Step-size control as for an ODE: the prediction's error grows about with the square of the change.
+// docs/how_it_works.md (eq. 31). Step-size control as for an ODE: the prediction's error grows about with the
+// square of the change.
 double next_admissible(double change, double error, const VisitSettings& settings) {
     const double factor =
         std::clamp(0.9 * std::sqrt(settings.update_tolerance / std::max(error, 1e-12)), 0.25, 2.0);

@@ -45,8 +45,9 @@ PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback&
     }
     const scene::Grains& grains = scene.ground.grains;
     const CompressedPackings packings(grains, progress);
-    // One density for the whole ground, that of the packing at mid-depth: it varies by a few tenths of a per
-    // cent with depth, and a uniform one keeps rows and weight in exact equilibrium.
+    // docs/how_it_works.md (eq. 1). One density for the whole ground, that of the packing at mid-depth: it
+    // varies by a few tenths of a per cent with depth, and a uniform one keeps rows and weight in exact
+    // equilibrium.
     const double guess = grains.material.density * (1 - dem::porosity(packings.base_packing()));
     const std::vector<double> first = in_situ(scene, guess);
     // The first row is the deepest or the last is: no order is taken for granted.

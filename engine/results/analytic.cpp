@@ -31,18 +31,21 @@ double meyerhof_adams(double embedment_ratio, double friction_angle) {
     return meyerhof_adams(embedment_ratio, friction_angle, critical_embedment(friction_angle));
 }
 
+// docs/how_it_works.md (eq. 43).
 double meyerhof_adams(double embedment_ratio, double friction_angle, double critical_ratio) {
     const double side = nominal_uplift_coefficient * std::tan(friction_angle);
     if (embedment_ratio <= critical_ratio) return embedment_ratio * side + 1;
     return (2 - critical_ratio / embedment_ratio) * critical_ratio * side + 1;
 }
 
+// (eq. 43a)
 double meyerhof_adams_thick(double embedment_ratio, double thickness_ratio, double friction_angle) {
     if (embedment_ratio > critical_embedment(friction_angle)) return std::nan("");
     const double reach = squared(embedment_ratio + thickness_ratio) / embedment_ratio;
     return reach * nominal_uplift_coefficient * std::tan(friction_angle) + 1;
 }
 
+// (eq. 44)
 double biarez(double embedment_ratio, double friction_angle) {
     if (embedment_ratio <= 1) return 0;
     return 4 * std::numbers::pi * (1 - 1 / embedment_ratio) * std::tan(friction_angle);

@@ -72,6 +72,7 @@ void add_breakout(const simulation::RunSession& session, const scene::Scene& sce
     const Breakout breakout = results::breakout(curve.d, curve.load);
     s.breakout = breakout.kind != BreakoutKind::still_rising && is_quasi_static(s);
     s.breakout_load = breakout.load, s.breakout_d_over_B = breakout.d_over_B;
+    // docs/how_it_works.md (eq. 42).
     if (s.breakout) s.n_gamma = breakout.load / simulation::unit_load(scene, ground);
     s.late_load = late_load(curve.d, curve.load);
     s.extra.emplace_back("breakout_criterion", static_cast<double>(breakout.kind));

@@ -20,6 +20,7 @@ void Elastic::initialise(const Batch& batch) {
     }
 }
 
+// docs/how_it_works.md (eq. 33).
 void Elastic::update(const Batch& batch) {
     SG_EXPECT(distinct_below(batch.points, batch.stress.size()));
     SG_EXPECT(batch.F_inc.size() == batch.stress.size());

@@ -5,9 +5,9 @@
 
 namespace sandgraph::stress {
 
-// Strain increment of F_inc = R U without its rotation: E = 2 (U - I)(U + I)^-1, symmetric, coaxial with U,
-// equal to ln U up to third order; exactly zero for a rotation, so that isotropic laws are objective at any
-// step size.
+// Strain increment of F_inc = R U without its rotation, docs/how_it_works.md (eq. 32):
+// E = 2 (U - I)(U + I)^-1, symmetric, coaxial with U, equal to ln U up to third order; exactly zero for a
+// rotation, so that isotropic laws are objective at any step size.
 struct Increment {
     double xx = 0, yy = 0, xy = 0;  // E, tension positive (xy is the tensor component)
     double cos = 1, sin = 0;        // R = [cos -sin; sin cos]

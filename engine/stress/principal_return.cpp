@@ -9,6 +9,7 @@
 namespace sandgraph::stress {
 namespace {
 
+// Equations: docs/how_it_works.md.
 // Linear form n . s - k over principal stresses, and the stress direction D m of flow on the same plane.
 struct Plane {
     Principal normal, flow;
@@ -37,7 +38,8 @@ double limit(const MohrCoulombConstants& k) { return 2 * k.cohesion * std::cos(k
 
 bool ordered(const Principal& s, double slack) { return s[0] >= s[1] - slack && s[1] >= s[2] - slack; }
 
-// Return to the line where planes a and b meet; nothing if a multiplier is negative or the order is lost.
+// Return to the line where planes a and b meet (eq. 34b); nothing if a multiplier is negative or the order is
+// lost.
 std::optional<Principal> return_to_edge(const Principal& trial, const Plane& a, const Plane& b, double k,
                                         double slack) {
     const double aa = dot(a.normal, a.flow), ab = dot(a.normal, b.flow), ba = dot(b.normal, a.flow),
@@ -49,6 +51,7 @@ std::optional<Principal> return_to_edge(const Principal& trial, const Plane& a, 
     return s;
 }
 
+// (eq. 34c)
 Principal apex(const MohrCoulombConstants& k) {
     const double s = k.cohesion / std::tan(k.friction_angle);
     return {s, s, s};
@@ -56,6 +59,7 @@ Principal apex(const MohrCoulombConstants& k) {
 
 }  // namespace
 
+// (eq. 34)
 double yield(double s1, double s3, const MohrCoulombConstants& k) {
     return (s1 - s3) + (s1 + s3) * std::sin(k.friction_angle) - limit(k);
 }
@@ -67,6 +71,7 @@ Principal return_to_yield(const Principal& trial, const MohrCoulombConstants& k)
     const double excess = yield(trial[0], trial[2], k);
     if (excess <= 0) return trial;
     const Plane main = plane(0, 2, k);
+    // (eq. 34a)
     const Principal on_plane = minus(trial, excess / dot(main.normal, main.flow), main.flow);
     if (ordered(on_plane, slack)) return on_plane;
     // s2 meets s1 (right edge) or s3 (left edge); the nearer one first.

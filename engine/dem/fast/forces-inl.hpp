@@ -1,4 +1,5 @@
-// Pair loop of the fast kernel; included once per instruction set (no include guard by design).
+// Pair loop of the fast kernel; included once per instruction set (no include guard by design). Equations:
+// docs/how_it_works.md.
 #if defined(SANDGRAPH_FAST_FORCES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SANDGRAPH_FAST_FORCES_INL
 #undef SANDGRAPH_FAST_FORCES_INL
@@ -45,7 +46,7 @@ HWY_INLINE void Distance(V square, V& dist, V& inv_dist) {
 }
 #endif
 
-// Step 3: normal, overlap and f_n = k_n max(overlap, 0); k_n = E 2 r_i r_j / (r_i + r_j) with
+// (eq. 17): normal, overlap and f_n = k_n max(overlap, 0); k_n = E 2 r_i r_j / (r_i + r_j) with
 // 4 r_i r_j = (sum - diff)(sum + diff).
 struct Normal {
     V dist, inv_dist, nx, ny, overlap, four_rr, kt_dt, fn;
@@ -63,7 +64,7 @@ struct Normal {
 
 HWY_INLINE V Limited(V value, V limit) { return hn::Max(hn::Min(value, limit), hn::Neg(limit)); }
 
-// Step 4: tangential force along e = (n_y, -n_x) with alpha_g = (r_i + r_j)/|d|, at most tan(phi) f_n.
+// (eq. 18): tangential force along e = (n_y, -n_x) with alpha_g = (r_i + r_j)/|d|, at most tan(phi) f_n.
 HWY_INLINE V Tangential(const Lanes& p, const Normal& n, const LawLanes& k, double* history) {
     const D d;
     const V slip = hn::NegMulAdd(p.dvy, n.nx, hn::Mul(p.dvx, n.ny));
@@ -73,8 +74,8 @@ HWY_INLINE V Tangential(const Lanes& p, const Normal& n, const LawLanes& k, doub
     return ft;
 }
 
-// Step 5: rolling moment, at most eta min(r) f_n. Elastic-plastic increments remember the limited moment, the
-// total form the whole -k_r theta.
+// (eq. 19): rolling moment, at most eta min(r) f_n. Elastic-plastic increments remember the limited moment,
+// the total form the whole -k_r theta.
 HWY_INLINE V Rolling(const Lanes& p, const Normal& n, const LawLanes& k, double* history) {
     const D d;
     const V limit = hn::Mul(hn::Mul(k.rolling_limit, hn::Sub(p.r_sum, hn::Abs(p.r_diff))), n.fn);
@@ -122,12 +123,12 @@ HWY_INLINE void ContactLaw(const PairSource& source, const Arrays& s, const LawL
                 m = Rolling(p, n, k, s.moment + first + c);
         const V fx = hn::MulAdd(n.fn, n.nx, hn::Mul(ft, n.ny)),
                 fy = hn::NegMulAdd(ft, n.nx, hn::Mul(n.fn, n.ny));
-        // Step 6: n x f = -f_t, so the torques are +(r - overlap/2) f_t on both, -M on i and +M on j: in two
-        // parts, |d|/2 f_t on both and (r_j - r_i)/2 f_t + M with the sign of the grain.
+        // (eq. 20): n x f = -f_t, so the torques are +(r - overlap/2) f_t on both, -M on i and +M on j: in
+        // two parts, |d|/2 f_t on both and (r_j - r_i)/2 f_t + M with the sign of the grain.
         const V half_ft = hn::Mul(half, ft);
         const V even = hn::Mul(half_ft, n.dist), odd = hn::MulAdd(half_ft, p.r_diff, m);
         StoreForces(fx, fy, even, odd, force + 4 * c);
-        if constexpr (kStress) {
+        if constexpr (kStress) {  // (eq. 23)
             sum[0] = hn::MulAdd(p.dx, fx, sum[0]), sum[1] = hn::MulAdd(p.dx, fy, sum[1]);
             sum[2] = hn::MulAdd(p.dy, fx, sum[2]), sum[3] = hn::MulAdd(p.dy, fy, sum[3]);
         }

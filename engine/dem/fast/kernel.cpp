@@ -31,7 +31,7 @@ namespace {
 
 // The cell moves with the grains: H <- (I + dt L) H.
 void move_cell(FastState& s, const Mat2& L, double dt) {
-    s.LH = L * s.H;
+    s.LH = L * s.H;  // docs/how_it_works.md (eq. 16)
     s.H += dt * s.LH;
     s.L = L;
 }

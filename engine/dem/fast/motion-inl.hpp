@@ -1,4 +1,5 @@
-// Grain loop of the fast kernel; included once per instruction set (no include guard by design).
+// Grain loop of the fast kernel; included once per instruction set (no include guard by design). Equations:
+// docs/how_it_works.md.
 #if defined(SANDGRAPH_FAST_MOTION_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SANDGRAPH_FAST_MOTION_INL
 #undef SANDGRAPH_FAST_MOTION_INL
@@ -22,7 +23,7 @@ struct Gradient {
     HWY_INLINE V y(V u, V v) const { return hn::MulAdd(yx, u, hn::Mul(yy, v)); }
 };
 
-// a (1 - alpha sign(a (w + dt a/2))), Cundall's local damping on the velocity w.
+// a (1 - alpha sign(a (w + dt a/2))), Cundall's local damping on the velocity w (eq. 21).
 HWY_INLINE V Damped(V a, V w, V half_dt, V alpha) {
     const V power = hn::Mul(a, hn::MulAdd(half_dt, a, w));
     return hn::NegMulAdd(a, hn::CopySign(alpha, power), a);
@@ -75,7 +76,8 @@ HWY_INLINE void StoreGrains(V x, V y, V vx, V vy, V r, V w, double* records) {
 
 #endif
 
-// `kKick`: velocities from forces; `kJump`: to the new gradient; `kDrift`: move. Returns max |v - L x|^2.
+// `kKick`: velocities from forces (eq. 21); `kJump`: to the new gradient, `kDrift`: move (eq. 22). Returns
+// max |v - L x|^2.
 template <bool kKick, bool kDrift, bool kJump>
 HWY_INLINE double MotionLoop(FastState& s, double damping, const Mat2& L_new, double dt) {
     const D d;

@@ -113,6 +113,7 @@ std::vector<ContactForce> contact_forces(const Packing& p, const Material& mater
     return out;
 }
 
+// docs/how_it_works.md (eq. 23).
 Mat2 love_weber_stress(const Packing& p, std::span<const ContactForce> contacts, const Material& material) {
     SG_EXPECT(p.area() != 0 && material.depth > 0);
     Mat2 sum = Mat2::Zero();

@@ -9,9 +9,9 @@
 namespace sandgraph::dem {
 
 // The contact law of the reference step, literally as published (YADE ScGeom6D + CohFrictPhys, 2D):
-// n points from i to j, forces act on j, moments are about z and act on j.
+// n points from i to j, forces act on j, moments are about z and act on j. Equations: docs/how_it_works.md.
 
-// Constants of a pair (i, j), steps 3 to 5: radii [m], k_n and k_t [N/m], k_r [N m], rolling arm eta min(r)
+// Constants of a pair (i, j) (eqs. 17 to 19): radii [m], k_n and k_t [N/m], k_r [N m], rolling arm eta min(r)
 // [m].
 struct PairConstants {
     double r_i, r_j, k_n, k_t, k_r, rolling_arm;
@@ -41,13 +41,13 @@ struct ContactState {
     bool in_contact = false;
 };
 
-// First-order turn of f_t with the contact plane, not renormalised (step 4).
+// First-order turn of f_t with the contact plane, not renormalised (eq. 18).
 inline void turn_tangential(ContactState& t, const Vec2& n) {
     const double a = t.n.x() * n.y() - t.n.y() * n.x();
     t.f_t -= a * Vec2(t.f_t.y(), -t.f_t.x());
 }
 
-// Sliding increment with full radii as lever arms, which avoids granular ratcheting (step 4).
+// Sliding increment with full radii as lever arms, which avoids granular ratcheting (eq. 18).
 inline Vec2 sliding_velocity(const PairConstants& c, const PairMotion& m, const Vec2& n, double overlap) {
     const double radii = c.r_i + c.r_j, alpha = radii / (radii - overlap);
     const Vec2 v = alpha * m.dv + (c.r_j * m.spin_j + c.r_i * m.spin_i) * Vec2(n.y(), -n.x());
@@ -59,7 +59,7 @@ inline void limit_tangential(ContactState& t, double tan_phi) {
     if (squared > limit * limit) t.f_t *= limit / std::sqrt(squared);
 }
 
-// Step 5: elastic-plastic increments (the birth step counts), or -k_r theta capped at use with theta the
+// (eq. 19): elastic-plastic increments (the birth step counts), or -k_r theta capped at use with theta the
 // rotation since the contact was found (the birth step does not count). `rotation` [rad]: theta_j - theta_i
 // over the step.
 inline void roll(ContactState& t, const PairConstants& c, double rotation, RollingForm form, bool born) {
@@ -69,7 +69,7 @@ inline void roll(ContactState& t, const PairConstants& c, double rotation, Rolli
     if (form == RollingForm::incremental) t.rolling = t.moment;
 }
 
-// Steps 2 to 5 for one pair over dt [s]; false when the pair is in no contact (its memory is then gone).
+// (eqs. 17 to 19) for one pair over dt [s]; false when the pair is in no contact (its memory is then gone).
 inline bool advance(ContactState& t, const PairConstants& c, const PairMotion& m, double tan_phi,
                     RollingForm form, double dt) {
     SG_EXPECT(dt > 0 && c.r_i > 0 && c.r_j > 0);
@@ -88,7 +88,7 @@ inline bool advance(ContactState& t, const PairConstants& c, const PairMotion& m
     return true;
 }
 
-// Torque of the tangential force on a grain of radius r [N m], step 6; the same sign on both grains.
+// Torque of the tangential force on a grain of radius r [N m] (eq. 20); the same sign on both grains.
 inline double torque(const ContactState& t, double r) {
     return -(r - 0.5 * t.overlap) * (t.n.x() * t.f_t.y() - t.n.y() * t.f_t.x());
 }

@@ -7,12 +7,12 @@
 
 #include "base/contracts.hpp"
 
-// The Verlet list of the reference assembly: when it stays valid, how it is rebuilt, how history is carried
-// over.
+// The published step, then its Verlet list: when it stays valid, how it is rebuilt, how history is carried
+// over. Equations: docs/how_it_works.md.
 namespace sandgraph::dem {
 namespace {
 
-// a (1 - alpha sign(a (w + dt a / 2))); where the product is zero, so is a.
+// a (1 - alpha sign(a (w + dt a / 2))) (eq. 21); where the product is zero, so is a.
 double damped(double acceleration, double velocity, double dt, double alpha) {
     const double power = acceleration * (velocity + 0.5 * dt * acceleration);
     return acceleration * (1 - std::copysign(alpha, power));
@@ -68,6 +68,7 @@ void ReferenceAssembly::one_step(const Mat2& L, double dt) {
     evaluated_ = true;
 }
 
+// (eq. 16)
 void ReferenceAssembly::move_cell() {
     LH_ = L_ * H_;
     H_ += last_dt_ * LH_;
@@ -80,6 +81,7 @@ void ReferenceAssembly::apply_forces(double dt) {
     for (Pair& pair : pairs_) advance_pair(pair, dt);
 }
 
+// (eqs. 17 to 20)
 void ReferenceAssembly::advance_pair(Pair& pair, double dt) {
     const auto [i, j, cx, cy] = pair.key;
     ContactState t = pair.contact;
@@ -106,7 +108,7 @@ void ReferenceAssembly::advance_pair(Pair& pair, double dt) {
     torque_[j] += torque(t, pair.constants.r_j) + t.moment;
 }
 
-// Steps 7 and 8: damped acceleration, convective term, mean-field jump.
+// Damped acceleration and convective term (eq. 21), mean-field jump (eq. 22).
 void ReferenceAssembly::move_grains(const Mat2& L, double dt) {
     const Mat2 jump = L - L_;
     const double spin_jump = 0.5 * (jump(1, 0) - jump(0, 1)), alpha = material_.damping;
@@ -127,6 +129,7 @@ void ReferenceAssembly::move_grains(const Mat2& L, double dt) {
     fluctuation_bound_ += dt * std::sqrt(w_max);
 }
 
+// (eq. 23)
 Mat2 ReferenceAssembly::stress() {
     Mat2 sum = Mat2::Zero();
     if (!evaluated_) return observe().stress;

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kFloor = 1000;  // mean stress that errors are shares of, at least [Pa]
 
-// Means of the values and one more, unseen, under weights drawn evenly from all that add up to 1: at the top
-// of the range (unseen = audit_cap) their 97.5 % quantile bounds the true mean from above, at its bottom
-// the 2.5 % quantile from below.
+// Equations: docs/how_it_works.md. Half width (eq. 41a): means of the values and one more, unseen, under
+// weights drawn evenly from all that add up to 1: at the top of the range (unseen = audit_cap) their 97.5 %
+// quantile bounds the true mean from above, at its bottom the 2.5 % quantile from below.
 double half_width(const std::vector<double>& values, double mean) {
     constexpr std::size_t draws = 2000, tail = draws / 40;
     Random random(0x9AFF4E);
@@ -74,6 +74,7 @@ AuditSample::AuditSample(std::size_t points, const AuditSettings& settings)
         place_of_[static_cast<std::size_t>(points_[k])] = static_cast<std::int32_t>(k);
 }
 
+// (eq. 41)
 void AuditSample::measure(std::int32_t place, const Stress& answered, const Stress& truth) {
     errors_[static_cast<std::size_t>(place)] =
         norm(difference(answered, truth)) / reference_pressure(truth, kFloor);

@@ -46,6 +46,7 @@ Stress StressBlend::on_top_of(const Stress& answered, std::size_t point) {
     return sum;
 }
 
+// docs/how_it_works.md (eq. 40).
 void StressBlend::fade(std::span<const Mat2> F_inc, std::span<const double> volume, std::span<Stress> stress,
                        double& work) {
     SG_EXPECT(F_inc.size() == rest_.size() && stress.size() == rest_.size());

@@ -25,6 +25,7 @@ double tension_level(double p, double threshold) {
 
 }  // namespace
 
+// docs/how_it_works.md (eq. 38).
 double deviatoric_strain(const Mat2& F) {
     // l1^2 + l2^2 = |F|^2 and l1 l2 = det F give cosh(ln l1 - ln l2) = |F|^2/(2 det F); written so that small
     // strains keep their digits: |F|^2 - 2 det F = (Fxx - Fyy)^2 + (Fxy + Fyx)^2.

@@ -133,6 +133,7 @@ Verdict ScreeningLaw::judge_answer(std::size_t slot, const Stress& predicted) co
     GateView view{F_[p], a.stress, traits(p).peak_friction, a.spread, a.distance};
     const stress::Increment e = stress::increment(visits_.collected(p));
     const double elastic = contract(visits_.change(p), e);
+    // docs/how_it_works.md (eq. 39).
     if (elastic > 0) view.work = 1 + contract(difference(a.stress, predicted), e) / elastic;
     const double limit = setup_.gate.acoustic_from * view.peak_friction;
     if (setup_.gate.active && view.peak_friction > 0 && deviator(a.stress) > limit * mean_stress(a.stress))
