@@ -6,24 +6,19 @@
 #include "mpm/light_nodes.hpp"
 #include "scene/read_scene.hpp"
 #include "simulation/scene_spec.hpp"
+#include "tests/support/sand_scene.hpp"
 
 namespace sandgraph::simulation {
 namespace {
 
 // A shallow plate, H/B = 1: the sand above it rises as a block.
 scene::Scene shallow(const std::vector<std::string>& set) {
-    return scene::parse_scene(R"(
-[domain]
-width = "2 m"
-depth = "2.5 m"
-cell  = "0.125 m"
-[anchor]
-embedment_ratio = 1
-thickness = "0.25 m"
-pull_to = 0.02
-[ground]
-law = "mohr_coulomb"
-)",
+    return scene::parse_scene(support::sand_scene({.width = 2,
+                                                   .depth = 2.5,
+                                                   .thickness = 0.25,
+                                                   .embedment_ratio = 1,
+                                                   .pull_to = 0.02,
+                                                   .young = 20}),
                               "s.toml", set);
 }
 

@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
-
 #include "scene/read_scene.hpp"
 #include "simulation/scene_spec.hpp"
+#include "tests/support/sand_scene.hpp"
 
 namespace sandgraph::simulation {
 namespace {
@@ -11,24 +10,13 @@ namespace {
 // Lengths times s and gravity over s: the same stresses, the same wave speed, hence the same load in units of
 // gamma H B. No length or time of the paper's scene may stand in the code.
 std::string scene_of(double s) {
-    return fmt::format(R"(
-[domain]
-width = "{} m"
-depth = "{} m"
-cell = "{} m"
-[anchor]
-width = "{} m"
-thickness = "{} m"
-embedment_ratio = 2
-pull_to = 0.02
-[ground]
-law = "mohr_coulomb"
-gravity = "{} m/s2"
-[continuum]
-young = "40 MPa"
-friction_angle = "30 deg"
-)",
-                       3 * s, 4 * s, 0.125 * s, s, 0.125 * s, 9.81 / s);
+    return support::sand_scene({.width = 3 * s,
+                                .depth = 4 * s,
+                                .cell = 0.125 * s,
+                                .plate = s,
+                                .thickness = 0.125 * s,
+                                .pull_to = 0.02,
+                                .gravity = 9.81 / s});
 }
 
 std::vector<double> curve(double s) {

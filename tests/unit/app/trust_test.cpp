@@ -2,26 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/sand_scene.hpp"
 #include "tests/support/subprocess.hpp"
 
 namespace sandgraph::app {
 namespace {
-
-constexpr const char* kScene = R"(
-[domain]
-width = "3 m"
-depth = "4 m"
-cell = "0.125 m"
-[anchor]
-embedment_ratio = 2
-thickness = "0.125 m"
-pull_to = 0.05
-[ground]
-law = "mohr_coulomb"
-[continuum]
-young = "40 MPa"
-friction_angle = "30 deg"
-)";
 
 nlohmann::json summary_of(const Shell& shell, const std::string& folder) {
     return nlohmann::json::parse(shell.read(folder + "/summary.json"));
@@ -29,7 +14,7 @@ nlohmann::json summary_of(const Shell& shell, const std::string& folder) {
 
 TEST(Trust, NoBreakoutIsClaimedOfAPlateThatIsTooFast) {
     const Shell shell("too_fast");
-    shell.write("scene.toml", kScene);
+    shell.write("scene.toml", support::sand_scene());
     const auto run = shell.run("run scene.toml -o out --set 'anchor.pull_rate=3 m/s'");
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.err.find("warning: anchor.pull_rate = 3 m/s is fast"), std::string::npos) << run.err;
@@ -44,7 +29,7 @@ TEST(Trust, NoBreakoutIsClaimedOfAPlateThatIsTooFast) {
 
 TEST(Trust, ABreakoutIsClaimedOfASlowPlateAndItsFormulaIsForItsThickness) {
     const Shell shell("slow");
-    shell.write("scene.toml", kScene);
+    shell.write("scene.toml", support::sand_scene());
     const auto run = shell.run("run scene.toml -o out");
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto summary = summary_of(shell, "out");
@@ -59,7 +44,7 @@ TEST(Trust, ABreakoutIsClaimedOfASlowPlateAndItsFormulaIsForItsThickness) {
 
 TEST(Trust, OfARunThatStillRisesThereIsNoBreakoutFactor) {
     const Shell shell("rising");
-    shell.write("scene.toml", kScene);
+    shell.write("scene.toml", support::sand_scene());
     ASSERT_EQ(shell.run("run scene.toml -o out --until 0.003").exit_code, 0);
     EXPECT_EQ(summary_of(shell, "out")["breakout"], false);
     EXPECT_TRUE(summary_of(shell, "out")["n_gamma"].is_null());

@@ -6,24 +6,14 @@
 #include "scene/read_scene.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/scene_spec.hpp"
+#include "tests/support/sand_scene.hpp"
 
 namespace sandgraph::simulation {
 namespace {
 
 // H/B = 3 in Mohr-Coulomb ground of 30 deg: the block over the plate is 0.5 + 3 tan(30 deg) = 2.23 m wide.
-constexpr const char* kSound = R"(
-[domain]
-width = "3 m"
-depth = "5 m"
-cell = "0.1 m"
-[anchor]
-embedment_ratio = 3
-[ground]
-law = "mohr_coulomb"
-[continuum]
-young = "40 MPa"
-friction_angle = "30 deg"
-)";
+const std::string kSound =
+    support::sand_scene({.depth = 5, .cell = 0.1, .thickness = 0.1, .embedment_ratio = 3, .pull_to = 0.4});
 
 std::vector<std::string> doubts(const std::vector<std::string>& set) {
     const scene::Scene scene = scene::parse_scene(kSound, "s.toml", set);
