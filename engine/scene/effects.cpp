@@ -105,6 +105,9 @@ constexpr auto probe_rules = std::to_array<EffectRule>({
 constexpr auto train_rules = std::to_array<EffectRule>({
     {"model.start", "model.rung", is, "\"learned\"", "no effect: {is} starts from nothing",
      "leave it out, or write rung = \"learned\""},
+    {"data.guard", "model.start", is_not, "\"\"",
+     "it guards what model.start has learnt, and no model is gone on from",
+     "leave it out, or write start = \"MODEL.h5\" under [model]"},
     {"model.measured_critical", "model.rung", is_not, "\"mlp\"|\"gru\"",
      "no effect: {is} has no critical state of its own", "leave it out, or write rung = \"learned\""},
     {"steps.lead_from", "steps.lead_strain", is_not, "0",

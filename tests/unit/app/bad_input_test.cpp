@@ -28,6 +28,16 @@ TEST(BadInput, MissingAndWrongUnitsOfARecipe) {
     EXPECT_EQ(shell.files(), 1);
 }
 
+TEST(BadInput, GuardOfATrainingThatStartsFromNothing) {
+    const Shell shell("guard");
+    shell.write("log.h5", ""), shell.write("guard.h5", "");
+    shell.write("t.toml", "[data]\nlogs = \"log.h5\"\nguard = \"guard.h5\"\n");
+    const auto refused = shell.run("train t.toml -o m.h5");
+    expect_bad_input(refused, "t.toml:3", "guards what model.start has learnt");
+    EXPECT_NE(refused.err.find("; leave it out, or write start = "), std::string::npos) << refused.err;
+    EXPECT_EQ(shell.files(), 3);
+}
+
 TEST(BadInput, PackingWithNaN) {
     const Shell shell("nan");
     shell.write("t.toml", path_test);
