@@ -11,6 +11,7 @@
 #include "io/h5_dataset.hpp"
 #include "io/h5_file.hpp"
 #include "io/info.hpp"
+#include "support/paths.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::io {
@@ -188,6 +189,13 @@ TEST(HistoryFile, RefusesATruncatedFile) {
     test::overwrite(folder / "log.h5", bytes.substr(0, bytes.size() / 2));
     EXPECT_THROW(read_history(folder / "log.h5"), InputError);
     EXPECT_THROW(read_history(folder / "none.h5"), InputError);
+}
+
+// Made by the recipe beside it as it stands there, so that whoever follows the recipe gets the same log.
+TEST(ShippedGuard, HoldsTheRecipeThatMakesIt) {
+    const std::string models = sandgraph::test::source_file("/configs/models/");
+    EXPECT_EQ(read_history_source(models + "table1.guard.h5").text,
+              test::contents(models + "probe_guard.toml"));
 }
 
 }  // namespace
