@@ -20,7 +20,7 @@ struct Reading {
 
 // v_p = (1 - c)(v_p + dt a) + c v, x_p += dt v, F = F_inc F, V = V0 det F.
 inline void advance_point(const Reading& r, const Advance& step, std::size_t p, Points& points) {
-    SG_EXPECT(p < points.size());
+    SG_EXPECT(p < points.size());  // docs/how_it_works.md (eqs. 8 to 10)
     const double dt = step.dt, flip = 1 - step.pic;
     points.vx[p] = flip * (points.vx[p] + dt * r.ax) + step.pic * r.vx;
     points.vy[p] = flip * (points.vy[p] + dt * r.ay) + step.pic * r.vy;

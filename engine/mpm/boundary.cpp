@@ -87,7 +87,7 @@ void constrain(Field& field, const GridShape& shape, const Boundaries& boundarie
     for_sides(field, shape, boundaries, Side::mirror, [&](const Edge& e) { mirror_edge(field, e); });
 }
 
-void add_surcharge(double q, const Points& points, Grid& grid) {
+void add_surcharge(double q, const Points& points, Grid& grid) {  // docs/how_it_works.md (eq. 4)
     SG_EXPECT(q >= 0 && all_below(points.surface, points.size()));
     const GridShape& s = grid.shape;
     const double half = points.half;

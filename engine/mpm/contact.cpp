@@ -19,7 +19,7 @@ void remember(Contact& contact, std::size_t p, Face face) {
     contact.slip[p] = 0;
 }
 
-// Force on the soil [N/m]; slips the spring where Coulomb's limit is reached.
+// Force on the soil [N/m], docs/how_it_works.md (eq. 14); slips the spring where Coulomb's limit is reached.
 Vec2 force(const RigidPlate& plate, const ContactPoint& t, double& slip) {
     SG_EXPECT(t.penetration > 0 && t.length > 0);  // never tension
     const double limit = std::tan(plate.friction_angle) * t.penetration;
@@ -55,7 +55,7 @@ void add_contact(const RigidPlate& plate, const Points& points, const Order& ord
     }
 }
 
-void advance_slip(const RigidPlate& plate, const Grid& grid, double dt, Contact& contact) {
+void advance_slip(const RigidPlate& plate, const Grid& grid, double dt, Contact& contact) {  // (eq. 14)
     SG_EXPECT(dt > 0);
     for (const ContactPoint& t : contact.points)
         contact.slip[static_cast<std::size_t>(t.point)] +=

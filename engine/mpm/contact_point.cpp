@@ -17,7 +17,7 @@ struct Interval {
 
 Interval overlap(double a0, double a1, double b0, double b1) { return {std::max(a0, b0), std::min(a1, b1)}; }
 
-// Depth of the point's domain past the bare face plus the rest pressure's penetration at height y.
+// Depth past the bare face plus the rest pressure's penetration at height y: docs/how_it_works.md (eq. 15).
 double penetration(Face face, const RigidPlate& plate, const Rectangle& body, const Rectangle& domain,
                    double y) {
     const RestPressure& r = plate.rest;

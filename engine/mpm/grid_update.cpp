@@ -21,11 +21,11 @@ struct Factors {
 
 // Damping force. `v` is the velocity that the undamped step would end with: the sign of a node's velocity at
 // rest would be that of round-off, and the damping of its first motion a matter of luck.
-double against(double v, double f, double damping) {
+double against(double v, double f, double damping) {  // docs/how_it_works.md (eq. 6)
     return v != 0 ? std::copysign(damping * std::fabs(f), v) : 0;
 }
 
-Motion moved(const Node& n, const Factors& k) {
+Motion moved(const Node& n, const Factors& k) {  // (eqs. 5 to 7)
     if (n.mass <= k.floor) return {};
     const double per_mass = 1 / n.mass, vx = n.px * per_mass, vy = n.py * per_mass;
     const double fx = n.fx + n.mass * k.gx, fy = n.fy + n.mass * k.gy;

@@ -94,7 +94,7 @@ std::vector<Follower> find_followers(const Grid& grid, const Boundaries& boundar
     return out;
 }
 
-void give(const std::vector<Follower>& followers, Grid& grid) {
+void give(const std::vector<Follower>& followers, Grid& grid) {  // docs/how_it_works.md (eq. 7a)
     const auto node = [&](NodeAt n) -> Node& { return grid.fields[n.field].nodes[n.index]; };
     for (const Follower& f : followers) {
         const Node n = node(f.node);
@@ -104,7 +104,7 @@ void give(const std::vector<Follower>& followers, Grid& grid) {
     }
 }
 
-void follow(const std::vector<Follower>& followers, Grid& grid) {
+void follow(const std::vector<Follower>& followers, Grid& grid) {  // (eq. 7a)
     const auto motion = [&](NodeAt n) -> Motion& { return grid.fields[n.field].motion[n.index]; };
     for (const Follower& f : followers) {
         const Motion &a = motion(f.near), &b = motion(f.far);

@@ -17,7 +17,7 @@ struct Weights {
 // Uniform GIMP (Bardenhagen & Kober 2004) from the linear hat N of the grid, averaged over the interval [a,
 // b] of at most one cell: S_i = int_a^b N_i dx / (b - a), dS_i/dx = (N_i(b) - N_i(a)) / (b - a). `a`, `b` [m]
 // from the grid's origin. With t in cells from the base node, N_0 = max(0, 1 - t), N_2 = max(0, t - 1).
-inline Weights average(double a, double b, double cell) {
+inline Weights average(double a, double b, double cell) {  // docs/how_it_works.md (eq. 2)
     SG_EXPECT(b > a && b - a <= cell * (1 + 1e-9));
     Weights w;
     const double cells = std::floor(a / cell);

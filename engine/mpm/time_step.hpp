@@ -28,7 +28,7 @@ inline double crossing_time(const Scheme& scheme, const Medium& m) {
 // dt = courant cell / c [s], bounded. A body's penalty on the lightest node beside it
 // adds 4 kappa to (omega cell / c)^2 of the grid, 4. The bound keeps dt omega at 0.9: undamped ground stays
 // bounded over 10,000 steps at 0.95 and gains energy at 1 (tests/stability, step.limit).
-inline double time_step(const Scheme& scheme, const Medium& m) {
+inline double time_step(const Scheme& scheme, const Medium& m) {  // docs/how_it_works.md (eq. 11)
     SG_EXPECT(scheme.courant > 0 && scheme.mass_scaling > 0 && scheme.contact_stiffness >= 0);
     SG_EXPECT(m.cell > 0 && m.p_wave_modulus > 0 && m.density > 0);
     return crossing_time(scheme, m) *

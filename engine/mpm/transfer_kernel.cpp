@@ -40,7 +40,7 @@ struct alignas(64) Load {
     double q[8], gx[8], gy[8];
 };
 
-// Momentum S m v and internal force -V sigma grad S (Bardenhagen & Kober 2004).
+// Momentum S m v and internal force -V sigma grad S: docs/how_it_works.md (eq. 3).
 HWY_INLINE void load_point(const Points& points, std::size_t p, Load& load) {
     const double m = points.mass[p], V = points.volume[p];
     const Stress& s = points.stress[p];

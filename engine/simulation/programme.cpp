@@ -9,7 +9,7 @@ double settling_time(double width) {
     return a_metre * width;
 }
 
-double rate_at(const Programme& programme, double time) {
+double rate_at(const Programme& programme, double time) {  // docs/how_it_works.md (eq. 13)
     const double since = time - programme.settle;
     if (since <= 0) return 0;
     const double duration = 2 * programme.ramp / programme.rate;  // mean rate of a smoothstep is one half
