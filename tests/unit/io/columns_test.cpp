@@ -171,5 +171,13 @@ TEST(Content, OfAnotherSchemaIsRefusedOlderOrNewer) {
     EXPECT_THROW(require_content(file.root(), "packing", 3), InputError);
 }
 
+TEST(Content, ItsSealTellsTheLengthOfWhatFollows) {
+    const test::Scratch scratch;
+    test::overwrite(scratch / "a", std::string(seal_size + 70'000, 'x'));
+    seal(scratch / "a");
+    EXPECT_FALSE(broken_seal(scratch / "a"));
+    EXPECT_EQ(test::contents(scratch / "a").rfind("sandgraph seal 1\nlength 70000\n", 0), 0u);
+}
+
 }  // namespace
 }  // namespace sandgraph::io

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "packings/compressed_packings.hpp"
 #include "packings/history_row.hpp"
 #include "packings/in_situ.hpp"
+#include "tests/unit/io/scratch.hpp"
 
 // The ground of a law without grains, and the rows of the history log.
 namespace sandgraph::packings {
@@ -27,6 +31,24 @@ TEST(ClosedFormGround, PressureIsThatOfTheMiddleOfEachRowUnderTheSurcharge) {
 TEST(ClosedFormGround, HasTheFrictionAngleOfItsLawIfThatHasOne) {
     EXPECT_EQ(prepare_ground(ground(scene::Law::elastic)).friction_angle, 0);
     EXPECT_EQ(prepare_ground(ground(scene::Law::mohr_coulomb)).friction_angle, 0.6);
+}
+
+// Each row has a packing under its own pressure, and all the density of the one at mid-depth.
+TEST(GroundOfGrains, HasAPackingForTheWeightAboveEachRow) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    scene::Scene s = ground(scene::Law::rve);
+    s.domain = {1, 0.8, 0.2, 1};
+    s.ground.grains.count = 30;
+    const PreparedGround made = prepare_ground(s);
+    ASSERT_EQ(made.rows.size(), 4u);
+    for (std::size_t row = 0; row < 4; ++row) {
+        EXPECT_NEAR(made.row_pressure[row], 7e3 + made.density * 10 * (0.1 + 0.2 * double(row)), 1e-6);
+        EXPECT_NEAR(0.5 * made.rows[row].packing->stress.trace(), made.row_pressure[row],
+                    0.01 * made.row_pressure[row]);
+    }
+    const dem::Packing middle = CompressedPackings(s.ground.grains).at(made.row_pressure[2]);
+    EXPECT_NEAR(made.density, 2650 * (1 - dem::porosity(middle)), 2);
 }
 
 TEST(HistoryRow, HoldsWhatThePackingShows) {

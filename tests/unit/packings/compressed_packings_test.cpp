@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "dem/element_test/element_test.hpp"
+#include "dem/make_assembly.hpp"
+#include "dem/packing/observe.hpp"
 #include "tests/unit/io/scratch.hpp"
 
 namespace sandgraph::packings {
@@ -63,6 +66,42 @@ TEST(PackingTraits, FabricLeansToTheCompressedAxis) {
     const stress::PackingTraits traits = packings.traits({sheared, {}}, 0.5);
     EXPECT_LT(traits.fabric_xx, -0.02);
     EXPECT_LT(std::abs(traits.fabric_xy), -traits.fabric_xx);
+    // The deviator of a tensor of trace 1.
+    EXPECT_NEAR(0.5 + traits.fabric_xx, dem::observe(rve, few_grains().material).fabric(0, 0), 1e-6);
+}
+
+TEST(CompressedPackings, HaveTheModuliThatProbingMeasures) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    const CompressedPackings packings(few_grains());
+    const graph::PlaneModuli moduli = packings.row(40e3).moduli;
+    const dem::Moduli measured =
+        dem::small_strain_moduli(packings.at(40e3), few_grains().material, dem::fast_assemblies());
+    EXPECT_NEAR(moduli.bulk, measured.bulk, 1e-9 * measured.bulk);
+    EXPECT_NEAR(moduli.shear, measured.shear, 1e-9 * measured.shear);
+    EXPECT_GT(std::abs(measured.bulk - measured.shear), 0.01 * measured.bulk);
+}
+
+// Loose sand reaches its peak late: the tests go on to a tenth of axial strain.
+TEST(CompressedPackings, HaveTheFrictionOfTestsToATenthOfStrain) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    scene::Grains grains = few_grains();
+    grains.density = "loose", grains.target_porosity = 0.2;
+    const CompressedPackings packings(grains);
+    const dem::GrainScale scale = dem::grain_scale(packings.base_packing(), grains.material);
+    const auto measured = [&](double strain) {
+        std::vector<dem::PeakFriction> peaks;
+        for (const double pressure : dem::confining_pressures) {
+            const auto sample = dem::fast_assemblies()(packings.base_packing(), grains.material);
+            const dem::BiaxialTest test{.confining_pressure = pressure * scale.stiffness,
+                                        .axial_strain = strain};
+            peaks.push_back(dem::peak_friction(dem::run_biaxial(*sample, test, scale)));
+        }
+        return dem::friction_angle(peaks);
+    };
+    EXPECT_NEAR(packings.friction(), measured(0.1), 1e-12);
+    EXPECT_GT(measured(0.1), measured(0.05));
 }
 
 }  // namespace
