@@ -110,6 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ".csv:6:", "radius 5e-06 m beside one of 0.005"},
         Refusal{head + "0,1e300,0.05,0.005\n", ".csv:5:", "far outside"},
         Refusal{head + "0,0.05,0.05,0.005\n1,0.051,0.05,0.005\n", ".csv:6:", "overlap by 180 %"},
+        Refusal{head + "0,0.05,0.05,0.005\n1,0.057,0.05,0.005\n", ".csv:6:", "overlap by 60 %"},
         Refusal{head + "0,0.001,0.05,0.005\n1,0.099,0.05,0.005\n", ".csv:6:", "overlap by 160 %"}));
 
 TEST(PackingCsv, NamesAMissingFile) { EXPECT_THROW(read_packing_csv("/no/such/packing.csv"), InputError); }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -172,6 +174,24 @@ TEST_F(RveTest, RefusesToBeCrushed) {
     EXPECT_EQ(report.dem_steps, 0);
     EXPECT_GT(rve.porosity(), -0.5);
     EXPECT_TRUE(rve.stress().allFinite());
+}
+
+// Shortest distance of two opposite sides of the cell.
+double thickness(const Rve& rve) {
+    const Mat2& H = rve.packing().H;
+    return H.determinant() / std::max(H.col(0).norm(), H.col(1).norm());
+}
+
+TEST_F(RveTest, EndsBeforeACellIsThinnerThanTwoGrains) {
+    Rve rve(relaxed());
+    options.inertial_number_max = 1, options.strain_per_step_max = 1e-3;
+    const double least = 4 * *std::ranges::max_element(rve.packing().grains->radius), size = 0.3;
+    RveReport report;
+    for (int update = 0; update < 20 && report.status == RveStatus::ok; ++update)
+        report = drive(rve, gradient(std::expm1(size), 0, 0, std::expm1(-size)));
+    EXPECT_EQ(report.status, RveStatus::diverged);
+    EXPECT_GT(thickness(rve), least);
+    EXPECT_LE(thickness(rve) * std::exp(-size), least * (1 + 1e-9));
 }
 
 TEST_F(RveTest, TakesNoMoreStrainAStepThanAsked) {
