@@ -81,6 +81,14 @@ TEST(StudySetting, EachVariationDiffersFromTheDefaultAndFromTheOthers) {
     }
 }
 
+// Both shear stresses of the tensor are off.
+TEST(StudyError, CountsShearTwice) {
+    const std::vector<StudyRun> reference{constant_run(30000, 10)};
+    std::vector<StudyRun> run = reference;
+    for (Stress& s : run.front().stress) s.xy += 300;
+    EXPECT_NEAR(study_error(run, reference, biaxial_history(0.01), 1000).rms, 0.01 * std::sqrt(2.0), 1e-12);
+}
+
 TEST(StudyError, PointwiseIsTheShareOfTheReferencePressure) {
     const std::vector<StudyRun> run{constant_run(30300, 10)}, reference{constant_run(30000, 10)};
     const StudyError error = study_error(run, reference, biaxial_history(0.01), 1000);

@@ -64,6 +64,19 @@ TEST(Caveats, NameAPlateTooFast) {
     expect_only(doubts({"mpm.mass_scaling=10"}), "is fast");
 }
 
+// Impedance times rate over the pressure at the plate: its width does not matter.
+TEST(Caveats, RateShareIsThatOfThePressureAtThePlate) {
+    const auto share = [](const std::vector<std::string>& set) {
+        const scene::Scene scene = scene::parse_scene(kSound, "s.toml", set);
+        const packings::PreparedGround ground = packings::prepare_ground(scene);
+        return rate_share(scene, ground, *simulation_of(scene, ground));
+    };
+    const double narrow = share({}),
+                 wide = share({"domain.depth=5.2 m", "anchor.width=2 m", "anchor.embedment_ratio=1.5"});
+    EXPECT_GT(narrow, 0.01);
+    EXPECT_NEAR(wide / narrow, 1, 1e-9);
+}
+
 scene::Scene scene_with(const std::vector<std::string>& set) {
     return scene::parse_scene(kSound, "s.toml", set);
 }
