@@ -21,13 +21,13 @@ constexpr std::size_t kPredictGrain = 1024, kSettleGrain = 64;  // points a task
 
 double RveLawSetup::p_wave_modulus() const {
     double out = 0;
-    for (const RowPacking& row : rows) out = std::max(out, row.moduli.p_wave());
+    for (const RowPacking& one : packings) out = std::max(out, one.moduli.p_wave());
     return out;
 }
 
 std::vector<std::shared_ptr<const dem::CompactPacking>> RveLawSetup::initial_packings() const {
     std::vector<std::shared_ptr<const dem::CompactPacking>> out;
-    for (std::size_t p = 0; p < row_of_point.size(); ++p) out.push_back(row(p).packing);
+    for (std::size_t p = 0; p < packing_of_point.size(); ++p) out.push_back(packing(p).packing);
     return out;
 }
 
@@ -47,7 +47,7 @@ dem::RveUpdate update_of(std::int32_t point, const RveJob& job, const RveAnswer&
 
 RveLaw::RveLaw(RveLawSetup setup)
     : setup_(std::move(setup)),
-      visits_(setup_.row_of_point.size()),
+      visits_(setup_.packing_of_point.size()),
       pool_(local_pool(setup_.initial_packings(), setup_.material, setup_.options)) {
     SG_ENSURE(pool_->size() == visits_.size());
 }
@@ -83,7 +83,7 @@ void RveLaw::predict(const stress::Batch& batch) {
                       [&](const auto& range) {
                           for (std::size_t k = range.begin(); k < range.end(); ++k) {
                               const std::int32_t p = batch.points[k];
-                              visits_.predict(p, setup_.row(p).moduli, batch.F_inc[p], pool_->floating(p),
+                              visits_.predict(p, setup_.packing(p).moduli, batch.F_inc[p], pool_->floating(p),
                                               setup_.visits, floor, batch.stress[p]);
                           }
                       });
@@ -158,16 +158,16 @@ void RveLaw::each_watched_update(const std::function<void(const dem::RveUpdate&)
         if (jobs_[slot].observed) tell(update_of(due_[slot].point, jobs_[slot], answers_[slot]));
 }
 
-void confirm_packings(Archive& a, const std::vector<RowPacking>& rows) {
+void confirm_packings(Archive& a, const std::vector<RowPacking>& packings) {
     std::vector<std::int64_t> hashes;
-    for (const RowPacking& row : rows) hashes.push_back(dem::content_hash(*row.packing));
+    for (const RowPacking& one : packings) hashes.push_back(dem::content_hash(*one.packing));
     std::vector<std::int64_t> read = hashes;
     a.field("initial_packings", read);
     require_state(read == hashes, "initial packings");
 }
 
 void RveLaw::archive(Archive& a) {
-    confirm_packings(a, setup_.rows);
+    confirm_packings(a, setup_.packings);
     std::vector<std::uint8_t> bytes;
     if (!a.reading()) {
         ByteWriter out(bytes);

@@ -8,7 +8,7 @@
 
 namespace sandgraph::graph {
 
-// The packing that all points of one depth row start from.
+// A packing that points of one depth row start from.
 struct RowPacking {
     std::shared_ptr<const dem::CompactPacking> packing;
     PlaneModuli moduli;
@@ -17,21 +17,21 @@ struct RowPacking {
 struct RveLawSetup {
     dem::Material material;
     dem::RveOptions options;
-    std::vector<RowPacking> rows;
-    std::vector<std::int32_t> row_of_point;  // [points]
+    std::vector<RowPacking> packings;
+    std::vector<std::int32_t> packing_of_point;  // [points] index in `packings`
     VisitSettings visits = {};
 
-    const RowPacking& row(std::size_t point) const {
-        return rows[static_cast<std::size_t>(row_of_point[point])];
+    const RowPacking& packing(std::size_t point) const {
+        return packings[static_cast<std::size_t>(packing_of_point[point])];
     }
-    double p_wave_modulus() const;  // largest of the rows [Pa]
+    double p_wave_modulus() const;  // largest of the packings [Pa]
     // What the packing of each point starts from.
     std::vector<std::shared_ptr<const dem::CompactPacking>> initial_packings() const;
 };
 
 // StateError when the archive is of a run that started from other packings: another machine's rounding, or
 // another version of the program, makes others by the same recipe.
-void confirm_packings(Archive& a, const std::vector<RowPacking>& rows);
+void confirm_packings(Archive& a, const std::vector<RowPacking>& packings);
 
 struct RveCounters {
     std::int64_t dem_steps = 0, updates = 0, failures = 0;

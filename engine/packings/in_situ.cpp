@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/console.hpp"
-#include "packings/compressed_packings.hpp"
+#include "packings/sand_sample.hpp"
 #include "scene/check_scene.hpp"
 
 namespace sandgraph::packings {
@@ -22,16 +22,39 @@ std::vector<double> in_situ(const scene::Scene& scene, double density) {
     return out;
 }
 
-void make_rows(const CompressedPackings& packings, PreparedGround& ground, const ProgressCallback& progress) {
-    ground.rows.resize(ground.row_pressure.size());
-    Tally tally(ground.rows.size(), progress);
-    tbb::parallel_for(std::size_t{0}, ground.rows.size(), [&](std::size_t row) {
-        ground.rows[row] = packings.row(ground.row_pressure[row]);
+void make_packings(const SandSample& sand, PreparedGround& ground, const ProgressCallback& progress) {
+    ground.packings.resize(ground.row_pressure.size() * sand.size());
+    Tally tally(ground.packings.size(), progress);
+    tbb::parallel_for(std::size_t{0}, ground.packings.size(), [&](std::size_t k) {
+        const std::size_t row = k / sand.size(), sample = k % sand.size();
+        ground.packings[k] = sand[sample].row(ground.row_pressure[row]);
         tally.done("in-situ packings");
     });
 }
 
+// Peak friction of the packings in use and of their sand, and what is known of each packing.
+void measure(const SandSample& sand, const scene::Grains& grains, PreparedGround& ground,
+             const ProgressCallback& progress) {
+    const std::vector<double> angles = sand.friction(progress);
+    ground.friction_angle = friction_sample(angles).mean;
+    ground.friction = sampled_friction(grains, angles, progress);
+    for (std::size_t k = 0; k < ground.packings.size(); ++k) {
+        const std::size_t sample = k % sand.size();
+        ground.traits.push_back(sand[sample].traits(ground.packings[k], angles[sample]));
+    }
+}
+
 }  // namespace
+
+std::vector<double> PreparedGround::radii() const {
+    const std::size_t samples = packings.size() / row_pressure.size();
+    std::vector<double> out;
+    for (std::size_t k = 0; k < samples; ++k) {
+        const std::vector<double>& radius = packings[k].packing->grains->radius;
+        out.insert(out.end(), radius.begin(), radius.end());
+    }
+    return out;
+}
 
 PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback& progress) {
     PreparedGround ground;
@@ -44,23 +67,21 @@ PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback&
         return ground;
     }
     const scene::Grains& grains = scene.ground.grains;
-    const CompressedPackings packings(grains, progress);
-    // docs/how_it_works.md (eq. 1). One density for the whole ground, that of the packing at mid-depth: it
+    const SandSample sand(grains, progress);
+    // docs/how_it_works.md (eq. 1). One density for the whole ground, that of the packings at mid-depth: it
     // varies by a few tenths of a per cent with depth, and a uniform one keeps rows and weight in exact
     // equilibrium.
-    const double guess = grains.material.density * (1 - dem::porosity(packings.base_packing()));
+    const double guess = grains.material.density * (1 - sand.porosity());
     const std::vector<double> first = in_situ(scene, guess);
     // The first row is the deepest or the last is: no order is taken for granted.
-    dem::check_bearable(*std::ranges::max_element(first),
-                        dem::grain_scale(packings.base_packing(), grains.material));
-    const double porosity = dem::porosity(packings.at(first[first.size() / 2]));
+    for (std::size_t sample = 0; sample < sand.size(); ++sample)
+        dem::check_bearable(*std::ranges::max_element(first),
+                            dem::grain_scale(sand[sample].base_packing(), grains.material));
+    const double porosity = sand.porosity(first[first.size() / 2]);
     ground.density = grains.material.density * (1 - porosity);
     ground.row_pressure = in_situ(scene, ground.density);
-    make_rows(packings, ground, progress);
-    ground.friction_angle = packings.friction(progress);
-    ground.friction = sampled_friction(grains, ground.friction_angle, progress);
-    for (const graph::RowPacking& row : ground.rows)
-        ground.traits.push_back(packings.traits(row, ground.friction_angle));
+    make_packings(sand, ground, progress);
+    measure(sand, grains, ground, progress);
     return ground;
 }
 

@@ -12,16 +12,22 @@ namespace sandgraph::packings {
 
 // The ground of a scene before anything moves.
 struct PreparedGround {
-    double density = 0;         // in situ, rho_grain (1 - n) [kg/m3]
-    double friction_angle = 0;  // peak, measured on the packing in use (or that of the closed-form law) [rad]
-    FrictionSample friction;    // of the sand: what formulas are compared with
-    std::vector<double> row_pressure;     // in-situ mean stress of each depth row's centre, K0 = 1 [Pa]
-    std::vector<graph::RowPacking> rows;  // one packing a depth row; empty for closed-form laws
+    double density = 0;  // in situ, rho_grain (1 - n) [kg/m3]
+    double friction_angle =
+        0;                    // peak, mean of the base packings in use (or that of the closed-form law) [rad]
+    FrictionSample friction;  // of the sand: what formulas are compared with
+    std::vector<double> row_pressure;  // in-situ mean stress of each depth row's centre, K0 = 1 [Pa]
+    // Of each depth row one of every base packing, in the order that deal() counts in (samples.hpp); empty
+    // for closed-form laws.
+    std::vector<graph::RowPacking> packings;
     std::shared_ptr<const stress::Surrogate> surrogate;  // of a screening run, else null
-    std::vector<stress::PackingTraits> traits;           // of each row's packing; empty for closed-form laws
+    std::vector<stress::PackingTraits> traits;           // of each of `packings`
+
+    // Of the grains of all base packings [m].
+    std::vector<double> radii() const;
 };
 
-// Prepares (or takes from the cache) one packing per depth row at its in-situ stress, and measures the
+// Prepares (or takes from the cache) the packings of every depth row at its in-situ stress, and measures the
 // friction angle (friction.hpp).
 PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback& progress = {});
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 #include "base/contracts.hpp"
 #include "packings/compressed_packings.hpp"
@@ -36,18 +37,21 @@ FrictionSample friction_sample(std::span<const double> angles) {
     return out;
 }
 
-FrictionSample sampled_friction(const scene::Grains& grains, double first, const ProgressCallback& progress) {
-    std::array<double, kSample> angles{first};
-    const std::size_t count = grains.packing.empty() ? kSample : 1;
-    Tally tally(std::max<std::size_t>(count - 1, 1), progress);
-    tbb::parallel_for(std::size_t{1}, count, [&](std::size_t k) {
+FrictionSample sampled_friction(const scene::Grains& grains, std::span<const double> known,
+                                const ProgressCallback& progress) {
+    SG_EXPECT(!known.empty());
+    std::vector<double> angles(known.begin(), known.end());
+    const std::size_t first = angles.size();
+    if (grains.packing.empty()) angles.resize(std::max(first, kSample));
+    Tally tally(std::max<std::size_t>(angles.size() - first, 1), progress);
+    tbb::parallel_for(first, angles.size(), [&](std::size_t k) {
         scene::Grains one = grains;
         one.seed += k;
         const CompressedPackings packings(one);
         angles[k] = packings.friction();
         tally.done("friction of several packings");
     });
-    return friction_sample(std::span(angles).first(count));
+    return friction_sample(angles);
 }
 
 }  // namespace sandgraph::packings

@@ -16,9 +16,10 @@ struct FrictionSample {
     int packings = 0;                              // 0: the angle of a closed-form law
 };
 
-// Over packings of the same recipe with seeds from the given one on, whose own angle is `first` [rad]; a
-// packing file is one packing. Cached.
-FrictionSample sampled_friction(const scene::Grains& grains, double first, const ProgressCallback& progress);
+// Over the packings in use, whose angles are `known` [rad], and with them six at least: the others are of the
+// same recipe with the next seeds. A packing file is one packing. Cached.
+FrictionSample sampled_friction(const scene::Grains& grains, std::span<const double> known,
+                                const ProgressCallback& progress);
 
 // Of angles of one sand [rad], at least one.
 FrictionSample friction_sample(std::span<const double> angles);

@@ -37,6 +37,11 @@ class Checks {
         const Key& key = keys_.at(ground_.surcharge > 0 ? "ground.surcharge" : "domain.depth");
         check_pressure(key, ground_.surcharge + weight, grains);
     }
+    void one_sample_of_a_file() const {
+        if (ground_.grains.packing.empty() || ground_.grains.samples == 1) return;
+        refuse("grains.samples", fmt::format("{} is one packing, made already", ground_.grains.packing),
+               "leave it out, or leave out grains.packing to have several made");
+    }
     // Loads are told in units of the stress that the plate lies under.
     void stressed() const {
         if (ground_.gravity == 0 && ground_.surcharge == 0)
@@ -198,6 +203,7 @@ void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
     checks.borne();
+    checks.one_sample_of_a_file();
     checks.densities();
     checks.dilation();
     if (!scene.anchor.present) return checks.regions_in_the_ground();

@@ -49,6 +49,7 @@ struct Grains : dem::Recipe {
     dem::Material material;
     std::string density = "dense";  // "dense" (porosity 0.16), "loose" (0.20) or "custom"
     std::string packing;            // file (.csv or .h5) to start from instead of the recipe; "" = recipe
+    int samples = 1;                // base packings that a ground draws its points from
 };
 
 // Closed-form laws (law = "elastic" | "mohr_coulomb").

@@ -53,6 +53,16 @@ void add_ground_keys(KeyTable& keys, Ground& g) {
     ground.real("gravity", g.gravity, "m/s2", at_least(0), "downwards");
 }
 
+// Of grounds only: a recipe is one packing. One sample has the hash of the time before this key.
+void add_sample_key(KeyTable& keys, Grains& g) {
+    auto grains = keys.section("grains");
+    grains
+        .integer(
+            "samples", g.samples, 1,
+            "base packings of this recipe that the ground draws its points from, dealt evenly by the seed")
+        .in_hash = g.samples > 1;
+}
+
 void add_continuum_keys(KeyTable& keys, Continuum& c) {
     auto law = keys.section("continuum");
     law.real("young", c.young, "MPa", above(0), "Young's modulus of the closed-form laws");
@@ -116,6 +126,7 @@ KeyTable scene_keys(Scene& scene) {
     add_anchor_keys(keys, scene.anchor);
     add_ground_keys(keys, scene.ground);
     add_grain_keys(keys, scene.ground.grains);
+    add_sample_key(keys, scene.ground.grains);
     add_stepping_keys(keys, scene.ground.rve);
     add_continuum_keys(keys, scene.ground.continuum);
     add_mpm_keys(keys, scene.mpm);

@@ -80,7 +80,7 @@ Lines caveats(const scene::Scene& s, const packings::PreparedGround& ground, con
                     "that on the "
                     "plate, and the load comes out some {:.0f} % high or more; take {:.2g} m/s or less",
                     s.anchor.pull_rate, rate, 5 * rate, s.anchor.pull_rate * kSuspectRate / rate));
-    const auto& grains = ground.rows;
+    const auto& grains = ground.packings;
     const std::size_t count = grains.empty() ? 0 : grains.front().packing->grains->radius.size();
     add(out, count > 0 && static_cast<double>(count) < kFewestGrains,
         fmt::format("packings of {} grains: their strength scatters by several degrees; take grains.count = "

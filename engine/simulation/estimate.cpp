@@ -20,12 +20,24 @@ constexpr double kBytesAGrain = 62;        // of a packing of its own
 constexpr double kScreenedShare = 0.4;     // of the points that get one in a screening run
 constexpr double kPointStep = 60e-9;       // [s] of a core
 constexpr double kGrainStep = 3e-6 / 400;  // [s] of a core, a DEM step by its grains
+constexpr double kBasePacking = 5. / 400;  // [s] of a core, by its grains, its friction included
+constexpr double kInSituPacking = 0.5 / 400;
 constexpr double kDemSteps = 700, kDemStepsAWidth = 12'500;  // of a point: at rest, and a plate width of pull
 
 bool of_grains(const scene::Scene& s) { return s.ground.law == scene::Law::rve; }
 double packed_share(const scene::Scene& s) {
     if (!of_grains(s)) return 0;
     return s.mode == scene::Mode::screening ? kScreenedShare : 1;
+}
+
+// What is made before the first step: in-situ packings of every row and sample.
+void add_preparation(const scene::Scene& s, int threads, Estimate& e) {
+    if (!of_grains(s)) return;
+    const scene::Grains& g = s.ground.grains;
+    const double rows = s.domain.depth / scene::point_spacing(s.domain);
+    e.packings = rows * g.samples;
+    e.bytes += e.packings * kBytesAGrain * g.count;
+    e.preparation = (g.samples * kBasePacking + e.packings * kInSituPacking) * g.count / threads;
 }
 
 double density(const scene::Scene& s) {
@@ -62,6 +74,7 @@ Estimate estimate(const scene::Scene& s, int threads) {
     const double dem =
         packed_share(s) * (kDemSteps + kDemStepsAWidth * pull) * kGrainStep * s.ground.grains.count;
     e.seconds = e.points * (e.steps * kPointStep + dem) / threads;
+    add_preparation(s, threads, e);
     return e;
 }
 

@@ -8,6 +8,8 @@ struct Estimate {
     double points = 0, steps = 0;
     double bytes = 0;    // material points, and the packings of those that will have strained
     double seconds = 0;  // on `threads`; right within a factor of three
+    double packings = 0,
+           preparation = 0;  // in-situ packings, and the time to make them if none is cached [s]
 };
 Estimate estimate(const scene::Scene& scene, int threads);
 

@@ -7,6 +7,7 @@
 #include "dem/rve.hpp"
 #include "io/history_file.hpp"
 #include "packings/history_row.hpp"
+#include "packings/samples.hpp"
 #include "simulation/history_points.hpp"
 
 namespace sandgraph::simulation {
@@ -30,8 +31,11 @@ std::vector<std::int32_t> watch(Simulation& simulation, const scene::Scene& scen
 std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene,
                                             const packings::PreparedGround& ground) {
     std::vector<io::HistoryPacking> out;
-    for (std::size_t row = 0; row < ground.rows.size(); ++row)
-        out.push_back(packings::history_packing(ground.rows[row], ground.traits[row], scene.ground.grains));
+    const scene::Grains& grains = scene.ground.grains;
+    const auto samples = static_cast<std::size_t>(grains.samples);
+    for (std::size_t k = 0; k < ground.packings.size(); ++k)
+        out.push_back(packings::history_packing(ground.packings[k], ground.traits[k],
+                                                packings::sample_recipe(grains, int(k % samples))));
     return out;
 }
 
@@ -46,12 +50,13 @@ HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const packings::Prep
           static_cast<std::size_t>(scene.output.history_max / double(io::HistoryJournal::row_bytes()))) {
     const mpm::Points& points = simulation.state().points;
     const std::vector<std::int32_t> chosen = watch(simulation, scene);
+    const std::vector<std::int32_t> dealt = packings::deal(points.row, scene.ground.grains);
     if (scene.mode == scene::Mode::screening) mode_ = io::HistoryMode::audit;
     history_of_.assign(points.size(), -1);
     for (const std::int32_t point : chosen) {
         const auto p = static_cast<std::size_t>(point);
         history_of_[p] = static_cast<std::int32_t>(histories_.size());
-        histories_.push_back({.packing = points.row[p], .point = point, .x = points.x[p], .y = points.y[p]});
+        histories_.push_back({.packing = dealt[p], .point = point, .x = points.x[p], .y = points.y[p]});
     }
     length_.assign(histories_.size(), 0);
     last_time_.assign(histories_.size(), 0);

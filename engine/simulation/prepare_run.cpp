@@ -52,6 +52,11 @@ void tell_estimate(const scene::Scene& scene, int threads) {
         notice(fmt::format("{:.0f} points, {:.0f} steps, up to {:.2g} GB; some {} on {} thread{}", e.points,
                            e.steps, e.bytes / 1e9, duration_text(e.seconds), threads,
                            threads == 1 ? "" : "s"));
+    if (e.preparation > worth_telling)
+        notice(
+            fmt::format("{:.0f} in-situ packings, {} a depth row; to make them takes some {}, once: they "
+                        "are kept for other runs",
+                        e.packings, scene.ground.grains.samples, duration_text(e.preparation)));
 }
 
 fs::path folder_of(const RunRequest& request, const scene::Scene& scene) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mpm/time_step.hpp"
+#include "packings/samples.hpp"
 #include "simulation/build_screening.hpp"
 #include "simulation/estimate.hpp"
 #include "stress/elastic.hpp"
@@ -40,9 +41,8 @@ mpm::GridShape grid_shape(const scene::Scene& scene) {
 std::unique_ptr<stress::Law> granular_law(const scene::Scene& scene, const packings::PreparedGround& ground,
                                           const mpm::Points& points) {
     const scene::Ground& g = scene.ground;
-    const std::vector<double>& radii = ground.rows.front().packing->grains->radius;
-    graph::RveLawSetup setup{g.grains.material, dem::rve_options(g.rve, g.grains.material, radii),
-                             ground.rows, points.row, g.rve};
+    graph::RveLawSetup setup{g.grains.material, dem::rve_options(g.rve, g.grains.material, ground.radii()),
+                             ground.packings, packings::deal(points.row, g.grains), g.rve};
     if (scene.mode == scene::Mode::screening) return screening_law(scene, ground, std::move(setup));
     return std::make_unique<graph::RveLaw>(std::move(setup));
 }

@@ -46,11 +46,11 @@ struct Laboratory {
     }
     Specimen grains(double pressure) const {
         const auto r = row(pressure);
-        auto rve = std::make_shared<dem::Rve>(ground.rows[r].packing);
+        auto rve = std::make_shared<dem::Rve>(ground.packings[r].packing);
         auto work = std::make_shared<dem::Workspace>();
         const dem::Material material = scene.ground.grains.material;
         const dem::RveOptions options =
-            dem::rve_options(scene.ground.rve, material, ground.rows[r].packing->grains->radius);
+            dem::rve_options(scene.ground.rve, material, ground.packings[r].packing->grains->radius);
         return {ground.traits[r], tension(rve->stress()), [=](const Mat2& F) {
                     rve->update(F, material, options, *work);
                     return tension(rve->stress());
@@ -59,7 +59,7 @@ struct Laboratory {
     Specimen surrogate(double pressure, const stress::Surrogate& law) const {
         const auto r = row(pressure);
         auto state = std::make_shared<std::vector<double>>(law.state_size());
-        const Stress start = tension(dem::Rve(ground.rows[r].packing).stress());
+        const Stress start = tension(dem::Rve(ground.packings[r].packing).stress());
         law.start(ground.traits[r], start, *state);
         return {ground.traits[r], start, [&law, state](const Mat2& F) {
                     const std::int32_t point = 0;

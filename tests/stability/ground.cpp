@@ -28,11 +28,11 @@ graph::RveLawSetup grains_of(const GroundSpec& spec, const packings::CompressedP
     const int rows = points.row.empty() ? 0 : *std::ranges::max_element(points.row) + 1;
     for (int row = 0; row < rows; ++row) {
         const double depth = (row + 0.5) * 2 * points.half;
-        setup.rows.push_back(packings.row(pressure_at(spec, density, depth)));
+        setup.packings.push_back(packings.row(pressure_at(spec, density, depth)));
     }
     setup.material = recipe.material;
-    setup.row_of_point = points.row;
-    setup.options = dem::rve_options({}, recipe.material, setup.rows.front().packing->grains->radius);
+    setup.packing_of_point = points.row;
+    setup.options = dem::rve_options({}, recipe.material, setup.packings.front().packing->grains->radius);
     if (spec.stepping) spec.stepping(setup.options);
     return setup;
 }
@@ -54,7 +54,7 @@ std::unique_ptr<stress::Law> law_of(const GroundSpec& spec, const packings::Comp
     setup.surrogate =
         surrogate::load_surrogate(sandgraph::test::source_file("/configs/models/table1.surrogate.h5"));
     const double angle = packings.friction();
-    for (const graph::RowPacking& row : grains.rows) setup.traits.push_back(packings.traits(row, angle));
+    for (const graph::RowPacking& row : grains.packings) setup.traits.push_back(packings.traits(row, angle));
     setup.grains = std::move(grains);
     spec.screening(setup);
     return std::make_unique<graph::ScreeningLaw>(std::move(setup));

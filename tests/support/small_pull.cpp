@@ -63,7 +63,7 @@ std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
     graph::ScreeningSetup setup;
     setup.grains = grains_of(points);
     setup.surrogate = std::make_shared<ElementSurrogate>();
-    for (const graph::RowPacking& row : setup.grains.rows) {
+    for (const graph::RowPacking& row : setup.grains.packings) {
         const double p = mean_stress(tension_positive(row.packing->stress));
         setup.traits.push_back({p, 0.16, row.moduli.bulk, row.moduli.shear, 3.5, 0, 0, 0.5});
     }

@@ -145,7 +145,7 @@ Verdict ScreeningLaw::judge_answer(std::size_t slot, const Stress& predicted) co
 double ScreeningLaw::acoustic_share(std::int32_t p, const stress::Increment& e) const {
     const std::size_t size = setup_.surrogate->state_size();
     const auto state = std::span(states_).subspan(static_cast<std::size_t>(p) * size, size);
-    const PlaneModuli& m = setup_.grains.row(p).moduli;
+    const PlaneModuli& m = setup_.grains.packing(p).moduli;
     return least_acoustic_determinant(setup_.surrogate->tangent(state, {e.xx, e.yy, 2 * e.xy})) /
            (m.shear * m.p_wave());
 }

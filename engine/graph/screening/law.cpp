@@ -40,7 +40,7 @@ std::unique_ptr<RvePool> pool_of(const RveLawSetup& grains, const AuditSample& a
 
 ScreeningLaw::ScreeningLaw(ScreeningSetup setup)
     : setup_(completed(std::move(setup))),
-      visits_(setup_.grains.row_of_point.size()),
+      visits_(setup_.grains.packing_of_point.size()),
       modes_(visits_.size(), all_grains(setup_.gate) ? PointMode::grains : PointMode::surrogate),
       blend_(visits_.size(), setup_.hand_over.blend_steps),
       audit_(visits_.size(), setup_.audit),
@@ -49,7 +49,7 @@ ScreeningLaw::ScreeningLaw(ScreeningSetup setup)
       F_(visits_.size(), Mat2::Identity()),
       states_(visits_.size() * setup_.surrogate->state_size()),
       caught_up_(visits_.size(), 0) {
-    SG_EXPECT(setup_.traits.size() == setup_.grains.rows.size());
+    SG_EXPECT(setup_.traits.size() == setup_.grains.packings.size());
     SG_ENSURE(pool_->size() == size() + audit_.size());
     for (std::size_t p = 0; p < size(); ++p)
         paths_.emplace_back(path_tolerance(traits(p), setup_.hand_over.path_error));
@@ -115,7 +115,7 @@ void ScreeningLaw::predict_point(std::int32_t point, const stress::Batch& batch)
     const bool grains = modes_.by_grains(p);
     const Mat2& F_inc = batch.F_inc[p];
     felt_.before(point, batch.stress[p]);
-    visits_.predict(point, setup_.grains.row(p).moduli, F_inc, grains && pool_->floating(p),
+    visits_.predict(point, setup_.grains.packing(p).moduli, F_inc, grains && pool_->floating(p),
                     grains ? setup_.grains.visits : setup_.visits, floor(), batch.stress[p]);
     blend_.turn(point, F_inc);
 }
@@ -189,7 +189,7 @@ RveJob ScreeningLaw::rve_job(const Job& job) {
 }
 
 const stress::PackingTraits& ScreeningLaw::traits(std::size_t point) const {
-    return setup_.traits[static_cast<std::size_t>(setup_.grains.row_of_point[point])];
+    return setup_.traits[static_cast<std::size_t>(setup_.grains.packing_of_point[point])];
 }
 
 stress::Observation ScreeningLaw::observe(std::size_t point) const {
@@ -237,7 +237,7 @@ void ScreeningLaw::each_watched_update(const std::function<void(const dem::RveUp
 }
 
 void ScreeningLaw::archive(Archive& a) {
-    confirm_packings(a, setup_.grains.rows);
+    confirm_packings(a, setup_.grains.packings);
     std::vector<std::uint8_t> bytes;
     if (!a.reading()) {
         ByteWriter out(bytes);

@@ -18,7 +18,7 @@ using stress::Surroundings;
 struct ScreeningSetup : ScreeningSettings {
     RveLawSetup grains;
     std::shared_ptr<const stress::Surrogate> surrogate;
-    std::vector<stress::PackingTraits> traits;  // of each row's packing
+    std::vector<stress::PackingTraits> traits;  // of each of grains.packings
 };
 
 // The learned surrogate where it can be trusted, packings of grains where it cannot, behind the stress

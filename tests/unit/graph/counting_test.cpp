@@ -22,7 +22,7 @@ TEST(RveCounters, CountAPredictionOnlyWhereTheGroundHasUsedOne) {
 
 TEST(RveLawSetup, TheTimeStepFollowsTheStiffestRow) {
     RveLawSetup setup;
-    setup.rows = {{nullptr, {4, 3}}, {nullptr, {2, 1}}};
+    setup.packings = {{nullptr, {4, 3}}, {nullptr, {2, 1}}};
     EXPECT_EQ(setup.p_wave_modulus(), 7);
 }
 

@@ -92,9 +92,9 @@ TEST(DamagedState, OfOtherPointsIsRefused) {
 TEST(DamagedState, OfOtherInitialPackingsIsRefused) {
     auto here = full(2);
     RveLawSetup elsewhere = setup_of(2, 0).grains;
-    auto rounded = std::make_shared<dem::CompactPacking>(*elsewhere.rows.front().packing);
+    auto rounded = std::make_shared<dem::CompactPacking>(*elsewhere.packings.front().packing);
     rounded->position[7] = std::nextafter(rounded->position[7], 1);
-    elsewhere.rows.front().packing = rounded;
+    elsewhere.packings.front().packing = rounded;
     support::MemoryArchive memory;
     here.law.archive(memory);
     memory.read_from_now_on();

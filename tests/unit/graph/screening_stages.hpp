@@ -13,7 +13,7 @@ struct ScreeningStages {
           F(law.F_) {}
 
     static ScreeningLaw law_of(std::size_t points, ScreeningSetup setup) {
-        setup.grains.row_of_point.assign(points, 0);
+        setup.grains.packing_of_point.assign(points, 0);
         return ScreeningLaw(std::move(setup));
     }
 

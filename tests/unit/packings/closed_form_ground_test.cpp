@@ -41,10 +41,10 @@ TEST(GroundOfGrains, HasAPackingForTheWeightAboveEachRow) {
     s.domain = {1, 0.8, 0.2, 1};
     s.ground.grains.count = 30;
     const PreparedGround made = prepare_ground(s);
-    ASSERT_EQ(made.rows.size(), 4u);
+    ASSERT_EQ(made.packings.size(), 4u);
     for (std::size_t row = 0; row < 4; ++row) {
         EXPECT_NEAR(made.row_pressure[row], 7e3 + made.density * 10 * (0.1 + 0.2 * double(row)), 1e-6);
-        EXPECT_NEAR(0.5 * made.rows[row].packing->stress.trace(), made.row_pressure[row],
+        EXPECT_NEAR(0.5 * made.packings[row].packing->stress.trace(), made.row_pressure[row],
                     0.01 * made.row_pressure[row]);
     }
     const dem::Packing middle = CompressedPackings(s.ground.grains).at(made.row_pressure[2]);

@@ -29,7 +29,7 @@ TEST(SandFriction, IsOfSeveralPackingsOfTheRecipe) {
     scene::Grains grains;
     grains.count = 30;
     grains.seed = 5;
-    const double first = CompressedPackings(grains).friction();
+    const double first[] = {CompressedPackings(grains).friction()};
     const FrictionSample s = sampled_friction(grains, first, {});
     EXPECT_EQ(s.packings, 6);
     EXPECT_GT(s.ci95, 0);

@@ -1,3 +1,4 @@
+#include "support/paths.hpp"
 #include "tests/unit/scene/refused.hpp"
 
 namespace sandgraph::scene {
@@ -25,6 +26,17 @@ TEST(Density, ContradictionIsRefused) {
 TEST(Grains, SmallestIsNotAboveLargest) {
     EXPECT_EQ(refused("[grains]\nradius_min = \"9 mm\"").rfind("s.toml:2: grains.radius_min = \"9 mm\"", 0),
               0u);
+}
+
+TEST(Grains, SamplesAreOfARecipeNotOfAPackingFile) {
+    EXPECT_EQ(grains("").samples, 1);
+    EXPECT_EQ(grains("[grains]\nsamples = 4").samples, 4);
+    EXPECT_EQ(refused("[grains]\nsamples = 0"), "s.toml:2: grains.samples = 0 (out of range); write >= 1");
+    const std::string file = test::source_file("/tests/data/yade/packing_dense_p10.csv");
+    const std::string error = refused("[grains]\nsamples = 4\npacking = \"" + file + "\"");
+    EXPECT_EQ(error.rfind("s.toml:2: grains.samples = 4 (", 0), 0u) << error;
+    EXPECT_NE(error.find("is one packing"), std::string::npos) << error;
+    EXPECT_EQ(refused("[grains]\nsamples = 1\npacking = \"" + file + "\""), "accepted");
 }
 
 TEST(Grains, PackingFileMustExist) {

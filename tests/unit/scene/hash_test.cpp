@@ -24,11 +24,12 @@ TEST(SceneHash, DiffersWithAnyValueThatMatters) {
     const std::set<std::uint64_t> hashes{hash(""),
                                          hash("[anchor]\nembedment_ratio = 2\n"),
                                          hash("[grains]\nseed = 2\n"),
+                                         hash("[grains]\nsamples = 2\n"),
                                          hash("[grains]\ndensity = \"loose\"\n"),
                                          hash("[mpm]\ndamping = 0.1\n"),
                                          hash("[rve]\nsteps_min = 5\n"),
                                          hash("mode = \"screening\"\n")};
-    EXPECT_EQ(hashes.size(), 7u);
+    EXPECT_EQ(hashes.size(), 8u);
 }
 
 TEST(SceneHash, KeepsItsValueAcrossVersions) {

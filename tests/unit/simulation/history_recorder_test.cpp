@@ -83,13 +83,13 @@ const io::HistoryLog& log() {
 std::size_t replayed(const io::HistoryLog& log, io::HistoryMode mode) {
     const scene::Ground& g = small_scene().ground;
     const dem::RveOptions options =
-        dem::rve_options(g.rve, g.grains.material, ground().rows[0].packing->grains->radius);
+        dem::rve_options(g.rve, g.grains.material, ground().packings[0].packing->grains->radius);
     dem::Workspace work;
     std::size_t rows = 0;
     for (std::size_t h = 0; h < log.histories.size(); ++h) {
         const auto row = static_cast<std::size_t>(log.histories[h].packing);
-        EXPECT_EQ(log.packings[row].stress, ground().rows[row].packing->stress);
-        dem::Rve rve(ground().rows[row].packing);
+        EXPECT_EQ(log.packings[row].stress, ground().packings[row].packing->stress);
+        dem::Rve rve(ground().packings[row].packing);
         for (const io::HistoryRow& update : log.of(h)) {
             rve.update(update.F_inc, g.grains.material, options, work);
             EXPECT_EQ(rve.stress(), update.stress);
