@@ -2,10 +2,14 @@
 
 #include <tbb/parallel_for.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/console.hpp"
+#include "base/error.hpp"
 #include "packings/sand_sample.hpp"
 #include "scene/check_scene.hpp"
 
@@ -22,20 +26,32 @@ std::vector<double> in_situ(const scene::Scene& scene, double density) {
     return out;
 }
 
-void make_packings(const SandSample& sand, PreparedGround& ground, const ProgressCallback& progress) {
+// Between the active and the passive stress of the weakest packing (Rankine), or its grains would flow.
+void require_holding(const scene::Scene& scene, const std::vector<double>& angles) {
+    const double s = std::sin(*std::ranges::min_element(angles)), k0 = scene.ground.k0;
+    const double active = (1 - s) / (1 + s), passive = 1 / active;
+    if (k0 >= active && k0 <= passive) return;
+    throw InputError(
+        scene.where("ground.k0"), fmt::format("ground.k0 = {:g}", k0),
+        fmt::format("the sand would flow: its peak friction of {:.1f} deg holds {:.3f} to {:.3f}",
+                    std::asin(s) * 180 / std::numbers::pi, active, passive),
+        "write a value between");
+}
+
+void make_packings(const SandSample& sand, double k0, PreparedGround& ground,
+                   const ProgressCallback& progress) {
     ground.packings.resize(ground.row_pressure.size() * sand.size());
     Tally tally(ground.packings.size(), progress);
     tbb::parallel_for(std::size_t{0}, ground.packings.size(), [&](std::size_t k) {
         const std::size_t row = k / sand.size(), sample = k % sand.size();
-        ground.packings[k] = sand[sample].row(ground.row_pressure[row]);
+        ground.packings[k] = sand[sample].row(ground.row_pressure[row], k0);
         tally.done("in-situ packings");
     });
 }
 
-// Peak friction of the packings in use and of their sand, and what is known of each packing.
-void measure(const SandSample& sand, const scene::Grains& grains, PreparedGround& ground,
-             const ProgressCallback& progress) {
-    const std::vector<double> angles = sand.friction(progress);
+// Peak friction of the packings in use, `angles` [rad], and of their sand; what is known of each packing.
+void describe(const SandSample& sand, const scene::Grains& grains, const std::vector<double>& angles,
+              PreparedGround& ground, const ProgressCallback& progress) {
     ground.friction_angle = friction_sample(angles).mean;
     ground.friction = sampled_friction(grains, angles, progress);
     for (std::size_t k = 0; k < ground.packings.size(); ++k) {
@@ -73,15 +89,18 @@ PreparedGround prepare_ground(const scene::Scene& scene, const ProgressCallback&
     // equilibrium.
     const double guess = grains.material.density * (1 - sand.porosity());
     const std::vector<double> first = in_situ(scene, guess);
+    const double k0 = scene.ground.k0;
     // The first row is the deepest or the last is: no order is taken for granted.
     for (std::size_t sample = 0; sample < sand.size(); ++sample)
-        dem::check_bearable(*std::ranges::max_element(first),
+        dem::check_bearable(0.5 * (1 + k0) * *std::ranges::max_element(first),
                             dem::grain_scale(sand[sample].base_packing(), grains.material));
-    const double porosity = sand.porosity(first[first.size() / 2]);
+    const std::vector<double> angles = sand.friction(progress);
+    require_holding(scene, angles);
+    const double porosity = sand.porosity(first[first.size() / 2], k0);
     ground.density = grains.material.density * (1 - porosity);
     ground.row_pressure = in_situ(scene, ground.density);
-    make_packings(sand, ground, progress);
-    measure(sand, grains, ground, progress);
+    make_packings(sand, k0, ground, progress);
+    describe(sand, grains, angles, ground, progress);
     return ground;
 }
 

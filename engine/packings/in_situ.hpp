@@ -13,10 +13,10 @@ namespace sandgraph::packings {
 // The ground of a scene before anything moves.
 struct PreparedGround {
     double density = 0;  // in situ, rho_grain (1 - n) [kg/m3]
-    double friction_angle =
-        0;                    // peak, mean of the base packings in use (or that of the closed-form law) [rad]
-    FrictionSample friction;  // of the sand: what formulas are compared with
-    std::vector<double> row_pressure;  // in-situ mean stress of each depth row's centre, K0 = 1 [Pa]
+    // Peak, mean of the base packings in use (or that of the closed-form law) [rad].
+    double friction_angle = 0;
+    FrictionSample friction;           // of the sand: what formulas are compared with
+    std::vector<double> row_pressure;  // in-situ vertical stress of each depth row's centre [Pa]
     // Of each depth row one of every base packing, in the order that deal() counts in (samples.hpp); empty
     // for closed-form laws.
     std::vector<graph::RowPacking> packings;

@@ -45,8 +45,8 @@ double SandSample::porosity() const {
     return mean(of_each(size(), [&](std::size_t k) { return dem::porosity(packings_[k].base_packing()); }));
 }
 
-double SandSample::porosity(double pressure) const {
-    return mean(of_each(size(), [&](std::size_t k) { return dem::porosity(packings_[k].at(pressure)); }));
+double SandSample::porosity(double pressure, double k0) const {
+    return mean(of_each(size(), [&](std::size_t k) { return dem::porosity(packings_[k].at(pressure, k0)); }));
 }
 
 std::vector<double> SandSample::friction(const ProgressCallback& progress) const {

@@ -13,8 +13,8 @@ class SandSample {
     std::size_t size() const { return packings_.size(); }
     const CompressedPackings& operator[](std::size_t sample) const { return packings_[sample]; }
 
-    double porosity() const;                 // 2D, of the base packings, mean
-    double porosity(double pressure) const;  // 2D, at that pressure [Pa], mean
+    double porosity() const;                            // 2D, of the base packings, mean
+    double porosity(double pressure, double k0) const;  // 2D, at that stress, mean
     // Peak friction angle of each [rad].
     std::vector<double> friction(const ProgressCallback& progress = {}) const;
 

@@ -45,6 +45,12 @@ double meyerhof_adams_thick(double embedment_ratio, double thickness_ratio, doub
     return reach * nominal_uplift_coefficient * std::tan(friction_angle) + 1;
 }
 
+double white_cheuk_bolton(double embedment_ratio, double friction_angle, double dilation_angle, double k0) {
+    const double dilated = std::tan(dilation_angle), rubbed = std::tan(friction_angle) - dilated;
+    const double normal = (1 + k0) / 2 - (1 - k0) * std::cos(2 * dilation_angle) / 2;
+    return 1 + embedment_ratio * (dilated + rubbed * normal);
+}
+
 // (eq. 44)
 double biarez(double embedment_ratio, double friction_angle) {
     if (embedment_ratio <= 1) return 0;

@@ -26,6 +26,11 @@ double meyerhof_adams(double embedment_ratio, double friction_angle, double crit
 // such block.
 double meyerhof_adams_thick(double embedment_ratio, double thickness_ratio, double friction_angle);
 
+// Horizontal plate pulled up out of sand that dilates by less than it rubs, limit equilibrium with the stress
+// on the slip planes that there is at rest (White, Cheuk & Bolton 2008, Geotechnique 58(10), 771-779):
+// N = 1 + (H/B) [tan psi + (tan phi - tan psi) ((1 + K0)/2 - (1 - K0) cos(2 psi)/2)].
+double white_cheuk_bolton(double embedment_ratio, double friction_angle, double dilation_angle, double k0);
+
 // Vertical plate pulled sideways, Biarez et al. (1965), eq. 21: N = 4 pi (1 - B/H) tan(phi); zero for H <= B.
 double biarez(double embedment_ratio, double friction_angle);
 

@@ -60,6 +60,7 @@ struct Continuum : stress::MohrCoulombConstants {
 struct Ground {
     Law law = Law::rve;
     double surcharge = 0;  // on the free surface [Pa]
+    double k0 = 1;         // at rest, horizontal stress (along x and out of the plane) over vertical stress
     double gravity = 9.81;
     Grains grains;
     graph::RveSettings rve;

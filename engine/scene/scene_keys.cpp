@@ -51,6 +51,9 @@ void add_ground_keys(KeyTable& keys, Ground& g) {
     ground.choice("law", g.law, {"rve", "elastic", "mohr_coulomb"}, "what answers a strain with a stress");
     ground.real("surcharge", g.surcharge, "kPa", within(0, 1e8), "on the free surface");
     ground.real("gravity", g.gravity, "m/s2", at_least(0), "downwards");
+    // Isotropic ground has the hash of the time before this key.
+    ground.real("k0", g.k0, "", above(0), "horizontal over vertical stress of the ground at rest").in_hash =
+        g.k0 != 1;
 }
 
 // Of grounds only: a recipe is one packing. One sample has the hash of the time before this key.

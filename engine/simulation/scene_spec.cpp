@@ -52,11 +52,11 @@ std::unique_ptr<stress::Law> closed_form_law(const scene::Scene& scene,
                                              const mpm::Points& points) {
     const scene::Ground& g = scene.ground;
     std::vector<Stress> initial;
-    std::vector<double> out_of_plane;
+    std::vector<double> out_of_plane;  // a horizontal stress, as that along x
     for (const std::int32_t row : points.row) {
         const double s = -ground.row_pressure[static_cast<std::size_t>(row)];
-        initial.push_back({s, s, 0});
-        out_of_plane.push_back(s);
+        initial.push_back({g.k0 * s, s, 0});
+        out_of_plane.push_back(g.k0 * s);
     }
     if (g.law == scene::Law::elastic)
         return std::make_unique<stress::Elastic>(g.continuum.elastic(), std::move(initial));
@@ -81,7 +81,7 @@ BodySpec anchor_of(const scene::Scene& scene, const packings::PreparedGround& gr
     const scene::Anchor& a = scene.anchor;
     BodySpec body{plate_of(scene), {}};
     body.plate.rest = mpm::rest_pressure(scene.ground.surcharge, ground.density * scene.ground.gravity,
-                                         scene.domain.depth - body.plate.y);
+                                         scene.domain.depth - body.plate.y, scene.ground.k0);
     body.programme.direction = horizontal(scene) ? Vec2(0, 1) : Vec2(1, 0);
     body.programme.rate = a.pull_rate;
     body.programme.ramp = a.ramp * a.width;

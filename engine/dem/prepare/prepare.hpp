@@ -29,10 +29,12 @@ double bearable_pressure(const GrainScale& grains);
 void check_bearable(double pressure, const GrainScale& grains);
 void check_uncrushed(const Packing& packing, double pressure);
 
-// The same grains at another isotropic pressure [Pa], up or down: both normal stresses within `tolerance`
-// (relative) of it, shear stress as small, at rest.
+// The same grains at another stress [Pa], up or down: yy at `pressure`, xx at k0 times that, both within
+// `tolerance` of the pressure, shear stress as small, at rest. Both stresses go to their targets at the same
+// strain rate, so that the ratio never leaves what lies between it was and what it will be by much.
 struct PressureTarget {
     double pressure = 0;  // [Pa]
+    double k0 = 1;        // 1: isotropic; InputError where the grains flow before they bear it
     double tolerance = 1e-3;
     double rate = 0;  // largest strain rate [1/s]; 0: 0.1 for Table 1 grains, others by their scale
     double dt = 0;    // [s]; 0: by the grains

@@ -8,10 +8,11 @@ namespace sandgraph::dem {
 
 // The stages that preparations are made of. Stress compression positive.
 
-// Servo on the periods: both normal stresses to `pressure`, and the shear stress to zero if asked.
+// Servo on the periods: yy to `pressure`, xx to k0 times that, and the shear stress to zero if asked.
 // Dense-packing strain rates stay below `rate`.
 struct PressureStage {
     double pressure = 0;  // [Pa]
+    double k0 = 1;
     double tolerance = 1e-3;
     double rate = 0;  // [1/s]
     GrainScale grains;

@@ -122,6 +122,30 @@ TEST_P(CompressTo, BringsThePackingToRestAtThePressure) {
 INSTANTIATE_TEST_SUITE_P(UpAndDown, CompressTo, testing::Values(500.0, 2e3, 32e3, 1e6),
                          [](const auto& p) { return std::to_string(static_cast<int>(p.param)) + "_Pa"; });
 
+class ConsolidateTo : public testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(ConsolidateTo, BringsBothStressesToTheirTargetsAtRest) {
+    const auto [pressure, k0] = GetParam();
+    const Packing p =
+        compress_to(yade_dense(), {.pressure = pressure, .k0 = k0}, Material{}, fast_assemblies());
+    const Observables seen = look(p);
+    EXPECT_NEAR(seen.stress(1, 1), pressure, 1e-3 * pressure);
+    EXPECT_NEAR(seen.stress(0, 0) / (k0 * pressure), 1, 0.005);
+    EXPECT_NEAR(seen.stress(0, 1), 0, 1e-3 * pressure);
+    EXPECT_LT(seen.unbalanced, 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratios, ConsolidateTo,
+                         testing::Values(std::pair(32e3, 0.5), std::pair(1e3, 0.5), std::pair(100e3, 0.4),
+                                         std::pair(20e3, 2.0)));
+
+TEST(ConsolidateTo, RefusesWhatNoFrictionHolds) {
+    for (const double k0 : {0.1, 8.0})
+        EXPECT_THROW(compress_to(yade_dense(), {.pressure = 32e3, .k0 = k0}, Material{}, fast_assemblies()),
+                     InputError)
+            << k0;
+}
+
 TEST(CompressTo, AgreesWithYadesPackingAt32kPa) {
     const Packing p = compress_to(yade_dense(), {.pressure = 32e3}, Material{}, reference);
     EXPECT_NEAR(porosity(p), 0.160562, 3e-5);

@@ -38,6 +38,23 @@ TEST(PackingTraits, DescribeThePackingAtItsPressure) {
     EXPECT_EQ(traits.peak_friction, std::sin(0.5));
 }
 
+// Also when the packing comes from the cache: both stresses have their own.
+TEST(PackingTraits, OfAnisotropicGroundAreThoseOfItsMeanStress) {
+    const test::Scratch cache;
+    setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
+    const CompressedPackings packings(few_grains());
+    const Mat2 isotropic = packings.row(40e3).packing->stress;
+    for (int again = 0; again < 2; ++again) {
+        const graph::RowPacking row = packings.row(40e3, 0.5);
+        EXPECT_NEAR(row.packing->stress(0, 0), 20e3, 0.02 * 20e3);
+        EXPECT_NEAR(row.packing->stress(1, 1), 40e3, 0.01 * 40e3);
+        EXPECT_NEAR(packings.traits(row, 0.5).pressure, 30e3, 0.01 * 30e3);
+        EXPECT_GT(row.moduli.shear, 1e6);
+        EXPECT_NE(row.moduli.bulk, packings.row(40e3).moduli.bulk);
+    }
+    EXPECT_EQ(packings.row(40e3).packing->stress, isotropic);
+}
+
 // All lengths by a tenth, the depth too: an assembly with the same stresses, ten times as quick.
 TEST(CompressedPackings, OfSmallGrainsAreThoseOfLargeOnesScaled) {
     const test::Scratch cache;

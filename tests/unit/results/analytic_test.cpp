@@ -17,6 +17,19 @@ TEST(Rankine, ActiveAndPassiveAreReciprocalAndKnownAt30Degrees) {
     EXPECT_EQ(rankine_passive(0), rankine_active(0));
 }
 
+TEST(WhiteCheukBolton, IsTheFrictionBlockWhateverTheDilationUnderEqualStresses) {
+    for (const double psi : {0.0, 7.0, 14.0, 32.8})
+        EXPECT_NEAR(white_cheuk_bolton(3, rad(32.8), rad(psi), 1), 1 + 3 * std::tan(rad(32.8)), 1e-12) << psi;
+    // With psi = phi the planes stand at phi, and the stress at rest on them does not matter.
+    EXPECT_NEAR(white_cheuk_bolton(3, rad(30), rad(30), 0.4), 1 + 3 * std::tan(rad(30)), 1e-12);
+}
+
+TEST(WhiteCheukBolton, OfLessHorizontalStressIsLess) {
+    EXPECT_NEAR(white_cheuk_bolton(3, rad(32.8), rad(14), 1 - std::sin(rad(32.8))), 2.329, 1e-3);
+    // psi = 0: vertical planes under K0 sigma_v.
+    EXPECT_NEAR(white_cheuk_bolton(2, rad(30), 0, 0.5), 1 + 2 * 0.5 * std::tan(rad(30)), 1e-12);
+}
+
 TEST(MeyerhofAdams, BranchesMeetAtTheCriticalDepthWithOneSlope) {
     const double H = 4, h = 1e-6;
     const auto N = [&](double ratio) { return meyerhof_adams(ratio, dense, H); };

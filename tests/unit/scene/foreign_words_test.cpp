@@ -8,7 +8,7 @@ namespace {
 
 TEST(ForeignWord, IsSaidToBeUnsupportedInsteadOfTheNearestKey) {
     const std::pair<const char*, const char*> tried[] = {
-        {"[ground]\nK0 = 0.5\n", "K0 = 1"},
+        {"[ground]\nK0 = 0.5\n", "ground.k0"},
         {"[ground]\nwater_table = \"1 m\"\n", "the ground is dry"},
         {"[ground]\ncohesion = \"5 kPa\"\n", "continuum.cohesion"},
         {"[grains]\ncohesion = \"5 kPa\"\n", "do not stick together"},

@@ -25,11 +25,12 @@ TEST(SceneHash, DiffersWithAnyValueThatMatters) {
                                          hash("[anchor]\nembedment_ratio = 2\n"),
                                          hash("[grains]\nseed = 2\n"),
                                          hash("[grains]\nsamples = 2\n"),
+                                         hash("[ground]\nk0 = 0.5\n"),
                                          hash("[grains]\ndensity = \"loose\"\n"),
                                          hash("[mpm]\ndamping = 0.1\n"),
                                          hash("[rve]\nsteps_min = 5\n"),
                                          hash("mode = \"screening\"\n")};
-    EXPECT_EQ(hashes.size(), 8u);
+    EXPECT_EQ(hashes.size(), 9u);
 }
 
 TEST(SceneHash, KeepsItsValueAcrossVersions) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
+#include "mpm/audit.hpp"
 #include "stress/elastic.hpp"
 
 // From the words of a scene to ground, plate and programme, and what a plate feels before and as it is
@@ -149,6 +151,37 @@ TEST(PlateAtRest, AHorizontalOneFeelsTheGroundAboveAndBelow) {
     EXPECT_NEAR(simulation->trailing(), -(5e3 + gamma * 1.1) * 0.3, 1e-3);
     EXPECT_NEAR(simulation->load(), -gamma * 0.2 * 0.3, 1e-3);
 }
+
+class PlateAtRestUnderK0 : public testing::TestWithParam<std::tuple<scene::Law, double>> {};
+
+TEST_P(PlateAtRestUnderK0, FeelsTheHorizontalStressAndMovesNothing) {
+    scene::Scene s = small_scene(scene::Orientation::vertical);
+    std::tie(s.ground.law, s.ground.k0) = GetParam();
+    const auto simulation = simulation_of(s, ground_of(s));
+    const mpm::Points start = simulation->state().points;
+    for (std::size_t p = 0; p < start.size(); ++p)
+        EXPECT_NEAR(start.stress[p].xx, s.ground.k0 * start.stress[p].yy, 1e-9);
+    for (int k = 0; k < 20; ++k) simulation->step(Vec2(0, 0));
+    EXPECT_LT(moved_most(simulation->state().points, start), 1e-11);
+    const double p = s.ground.k0 * (5e3 + kDensity * 9.81 * (2 - simulation->state().bodies[0].plate.y));
+    EXPECT_NEAR(simulation->leading(), p * 0.6, 1e-6 * p);
+    EXPECT_NEAR(simulation->load(), 0, 1e-6 * p);
+}
+
+TEST_P(PlateAtRestUnderK0, GroundWithoutAPlateMovesNothing) {
+    scene::Scene s = small_scene(scene::Orientation::horizontal);
+    std::tie(s.ground.law, s.ground.k0) = GetParam();
+    s.anchor.present = false;
+    const auto simulation = simulation_of(s, ground_of(s));
+    const mpm::Points start = simulation->state().points;
+    for (int k = 0; k < 200; ++k) simulation->step();
+    EXPECT_LT(moved_most(simulation->state().points, start), 1e-10);
+    EXPECT_LT(mpm::kinetic_energy(simulation->state().points), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, PlateAtRestUnderK0,
+                         testing::Combine(testing::Values(scene::Law::elastic, scene::Law::mohr_coulomb),
+                                          testing::Values(0.4, 0.5, 2.5)));
 
 // Ahead the ground is pressed, behind it is relieved.
 TEST(PlatePulled, SidewaysLoadsItsRightFaceAndRelievesItsLeft) {
