@@ -87,9 +87,20 @@ TEST(Estimate, CountsPackingsByTheirGrains) {
                                                   std::vector<std::string>{count});
         return estimate(s, 1).bytes;
     };
-    const double points = 3000;
-    EXPECT_NEAR(bytes("grains.count=400") - bytes("grains.count=100"), points * 300 * 62, 1);
+    const double points = 3000, rows = 50;  // of each row one more, in situ
+    EXPECT_NEAR(bytes("grains.count=400") - bytes("grains.count=100"), (points + rows) * 300 * 62, 1);
+    EXPECT_NEAR(bytes("grains.samples=5") - bytes("grains.samples=1"), 4 * rows * 400 * 62, 1);
     EXPECT_LT(estimate(scene_with({}), 1).bytes, 1500 * 2000) << "closed-form laws have no packings";
+}
+
+TEST(Estimate, OfPreparationGrowsWithTheSamples) {
+    const auto of = [](const char* samples) {
+        return estimate(scene::parse_scene("", "s.toml", std::vector<std::string>{samples}), 2);
+    };
+    EXPECT_EQ(of("grains.samples=1").packings, 50);
+    EXPECT_EQ(of("grains.samples=16").packings, 800);
+    EXPECT_NEAR(of("grains.samples=16").preparation / of("grains.samples=1").preparation, 16, 1e-9);
+    EXPECT_EQ(estimate(scene_with({}), 1).preparation, 0);
 }
 
 TEST(Estimate, RefusesMoreGroundThanThereIsMemoryFor) {
