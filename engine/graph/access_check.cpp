@@ -47,7 +47,7 @@ class Digest final : public Archive {
 std::uint64_t contact_of(const GroundState& s) {
     Hasher hash;
     for (const Body& body : s.bodies) {
-        add(hash, body.contact.slip), add(hash, body.contact.face);
+        add(hash, body.contact.slip), add(hash, body.contact.sunk), add(hash, body.contact.face);
         for (const Vec2& force : body.contact.reaction.on) add(hash, force.x()), add(hash, force.y());
         for (const mpm::ContactPoint& t : body.contact.points)
             add(hash, t.point), add(hash, t.penetration), add(hash, t.length);
@@ -72,7 +72,7 @@ std::uint64_t grid_of(const mpm::Grid& g) {
     for (const mpm::Field& f : g.fields)
         add(hash, f.nodes), add(hash, f.motion), add(hash, f.box.i0), add(hash, f.box.i1),
             add(hash, f.box.j0), add(hash, f.box.j1);
-    add(hash, g.enrichment.level), add(hash, g.enrichment.low), add(hash, g.enrichment.high);
+    for (const mpm::Enrichment& cut : g.cuts) add(hash, cut.level), add(hash, cut.low), add(hash, cut.high);
     return hash.value();
 }
 

@@ -1,25 +1,29 @@
 #include "graph/ground_state.hpp"
 
-#include <stdexcept>
+#include "mpm/light_nodes.hpp"
 
 namespace sandgraph::graph {
 
 GroundState::GroundState(StepSettings step_settings, mpm::Points ground, const mpm::GridShape& shape)
     : settings(step_settings), points(std::move(ground)), grid(shape), all_points(points.size()) {
     std::iota(all_points.begin(), all_points.end(), 0);
-    if (!points.mass.empty()) grid.point_mass = points.mass.front();
+    if (points.size() == 0) return;
+    grid.point_mass = points.mass.front() / mpm::share(points, 0);
+    if (settings.scheme.light_nodes) light = mpm::light_mass(points, shape);
+    const bool several = 2 * points.half < 0.75 * shape.cell;
+    means = mpm::CellMean(several ? settings.scheme.hourglass : 1);
 }
 
 void GroundState::add_body(const mpm::RigidPlate& plate) {
-    if (!bodies.empty()) throw std::logic_error("a second rigid body: the grid has one enriched field only");
-    bodies.push_back({plate, mpm::make_contact(points.size())});
+    bodies.push_back({plate, mpm::make_contact(plate, points)});
 }
 
 void GroundState::archive(Archive& a) {
     mpm::archive(a, points);
-    for (Body& body : bodies) {
-        mpm::archive(a, body.plate);
-        mpm::archive(a, body.contact);
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const std::string prefix = k == 0 ? "" : "body" + std::to_string(k) + "/";
+        mpm::archive(a, bodies[k].plate, prefix);
+        mpm::archive(a, bodies[k].contact, prefix);
     }
     std::vector<double> work = {stress_work};
     field_of_known_length(a, "work", work);

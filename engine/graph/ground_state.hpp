@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "mpm/boundary.hpp"
+#include "mpm/cell_mean.hpp"
 #include "mpm/contact.hpp"
 #include "mpm/grid.hpp"
 #include "mpm/order.hpp"
@@ -40,13 +41,13 @@ struct GroundState {
     std::vector<Body> bodies;
     std::unique_ptr<stress::Law> law;
     std::vector<std::int32_t> all_points;  // 0 .. N-1, the law's batch
-    double light = 0;  // a lighter node follows its neighbours [kg/m] (mpm/light_nodes.hpp)
+    double light = 0;     // a lighter node follows its neighbours [kg/m] (mpm/light_nodes.hpp)
+    mpm::CellMean means;  // reduced integration, where a cell holds several points
     mpm::Status status;
     double d_over_B = 0;     // of the anchor before this step, for the law's records; 0 without one
     double stress_work = 0;  // accumulated sum of V sigma : d(eps), mid-step [J/m]
     double work_before = 0;  // this step's half, with the old stress
 
-    // std::logic_error for a second body: the grid divides its nodes along one only.
     void add_body(const mpm::RigidPlate& plate);
     stress::Batch batch() {
         return {all_points,

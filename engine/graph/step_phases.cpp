@@ -9,11 +9,19 @@
 namespace sandgraph::graph {
 namespace {
 
+void place_bodies(GroundState& s) {
+    if (s.bodies.empty()) return;
+    std::vector<mpm::Enrichment> cuts;
+    for (const Body& body : s.bodies) cuts.push_back(mpm::enrichment_of(body.plate));
+    mpm::set_bodies(s.grid, cuts, s.points.half);
+}
+
 void scatter_points(GroundState& s) {
-    for (const Body& body : s.bodies)
-        mpm::set_enrichment(s.grid, mpm::enrichment_of(body.plate), s.points.half);
+    place_bodies(s);
     mpm::refresh(s.order, s.points, s.grid);
-    mpm::points_to_grid(s.points, s.order, s.grid);
+    if (!s.means.active()) return mpm::points_to_grid(s.points, s.order, s.grid);
+    s.means.weigh(s.points, s.order, s.grid, s.settings.boundaries);
+    mpm::points_to_grid(s.points, s.means.stress(s.points, s.order), s.order, s.grid);
 }
 
 void load_grid(GroundState& s) {
@@ -34,6 +42,7 @@ void move_grid(GroundState& s) {
 void gather_points(GroundState& s) {
     s.status =
         mpm::grid_to_points(s.grid, {s.settings.dt, s.settings.scheme.pic_fraction}, s.order, s.points);
+    if (s.means.active()) s.means.strain(s.order, s.points);
     s.work_before = mpm::stress_work(s.points);
 }
 

@@ -4,18 +4,21 @@
 
 namespace sandgraph::mpm {
 
-// mirror: roller or symmetry plane on the outermost nodes; the model behaves like one half of the mirrored
-// whole. fixed: no motion on the outermost nodes. free: nothing.
+// mirror: roller or symmetry plane; the model behaves like one half of the mirrored whole. fixed: no motion.
+// free: nothing.
 enum class Side { free, mirror, fixed };
 
+// The sides lie on the outermost nodes; along an axis that is `between` they lie midway between the outermost
+// nodes, which then are images, and the next.
 struct Boundaries {
     Side left = Side::free, right = Side::free, bottom = Side::free, top = Side::free;
+    bool between_x = false, between_y = false;
 };
 
-// Before the update: what points gave to ghost nodes goes to the mirror image, normal components reversed.
+// Before the update: what points gave to images goes to their originals, normal components reversed.
 void fold(Field& field, const GridShape& shape, const Boundaries& boundaries);
 
-// After the update: velocity and acceleration on the sides and their ghost nodes, such that v_old + dt a = v.
+// After the update: velocity and acceleration on the sides and of the images, such that v_old + dt a = v.
 void constrain(Field& field, const GridShape& shape, const Boundaries& boundaries, double dt);
 
 // A pressure q [Pa] on the ground surface, a dead load: each surface point carries q times its initial width

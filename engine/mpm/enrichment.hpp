@@ -28,6 +28,13 @@ struct Enrichment {
         return along_x ? (point_y >= level) != (node_y >= level) : (point_x >= level) != (node_x >= level);
     }
 
+    // Whether the cut lies between the point and a place (x, y) beside the plate.
+    bool parts(double point_x, double point_y, double x, double y) const {
+        const double along = along_x ? x : y;
+        if (!active || along < low || along > high) return false;
+        return along_x ? (point_y >= level) != (y >= level) : (point_x >= level) != (x >= level);
+    }
+
     // Where points are that can be in contact with the plate or have a node across the cut in their stencil:
     // a stencil is `margin` wide to each side, a contact half_thickness + half; a quarter of a cell allows
     // for penetration.

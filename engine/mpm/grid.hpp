@@ -57,10 +57,24 @@ inline constexpr NodeBox whole(const GridShape& s) { return {-1, -1, s.nx + 1, s
 
 struct Grid {
     explicit Grid(const GridShape& grid_shape);
+
+    // Whether a point there takes part in the second field of the node (enrichment.hpp).
+    bool enriches(double point_x, double point_y, double node_x, double node_y) const {
+        for (const Enrichment& cut : cuts)
+            if (cut.enriches(point_x, point_y, node_x, node_y)) return true;
+        return false;
+    }
+    bool parts(double point_x, double point_y, double at_x, double at_y) const {
+        for (const Enrichment& cut : cuts)
+            if (cut.parts(point_x, point_y, at_x, at_y)) return true;
+        return false;
+    }
+
     GridShape shape;
-    std::array<Field, 2> fields;  // 0: the ground; 1: what lies across the cut from an enriched node
-    Enrichment enrichment;        // where the two fields part; inactive without a plate
-    double point_mass = 0;        // of one point, to tell a node's mass from round-off [kg/m]
+    std::array<Field, 2> fields;   // 0: the ground; 1: what lies across the cut from an enriched node
+    std::vector<Enrichment> cuts;  // where the two fields part: one a thin body
+    std::vector<Rectangle> near;   // where points are that have to do with a cut or with a body's contact
+    double point_mass = 0;         // of one point, to tell a node's mass from round-off [kg/m]
 };
 
 // Zeroes the sums of every node in use.

@@ -8,11 +8,23 @@
 namespace sandgraph::mpm {
 namespace {
 
-// Axes first: of neighbours as heavy as each other a node follows the one along an axis.
 constexpr std::array<std::array<int, 2>, 8> kAround{
     {{0, -1}, {0, 1}, {-1, 0}, {1, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 constexpr double kRoundOff = 1e-14;  // share of a point's mass
-constexpr double kEqual = 1e-9;  // masses nearer to each other than that are equal, whatever their last bit
+
+// Takes the index k of an image to that of its original and turns its sign; false where there is no node.
+bool original(int& k, int last, Side low, Side high, bool between, double& sign) {
+    const int first = between ? 1 : 0, image_low = between ? 1 : 0, image_high = 2 * last - image_low;
+    if (k < first && low == Side::mirror) return k = image_low - k, sign = -sign, k <= last;
+    if (k > last - first && high == Side::mirror) return k = image_high - k, sign = -sign, k >= 0;
+    return k >= first && k <= last - first;
+}
+
+// Eighth power.
+double rank(double mass) {
+    const double two = mass * mass, four = two * two;
+    return four * four;
+}
 
 class Search {
   public:
@@ -31,8 +43,10 @@ class Search {
 
     // Half of the surroundings of a node on a wall is missing.
     double mass(NodeAt n, int i, int j) const {
-        const bool on_x = (i == 0 && sides_.left != Side::free) || (i == s_.nx && sides_.right != Side::free);
-        const bool on_y = (j == 0 && sides_.bottom != Side::free) || (j == s_.ny && sides_.top != Side::free);
+        const bool on_x = !sides_.between_x && ((i == 0 && sides_.left != Side::free) ||
+                                                (i == s_.nx && sides_.right != Side::free));
+        const bool on_y = !sides_.between_y && ((j == 0 && sides_.bottom != Side::free) ||
+                                                (j == s_.ny && sides_.top != Side::free));
         return at(n).mass * (on_x ? 2 : 1) * (on_y ? 2 : 1);
     }
 
@@ -41,28 +55,43 @@ class Search {
         return node.mass < limit_ && node.own > least_ && mass(n, i, j) < limit_;
     }
 
-    // The heavy node (i, j) in the field that material about (x, y) has there.
+    // The heavy node (i, j) in the field that material about (x, y) has there; behind a mirror plane the
+    // original of the image.
     bool is_heavy(double x, double y, int i, int j, NodeAt& n) const {
-        if (i < 0 || j < 0 || i > s_.nx || j > s_.ny) return false;
-        n = {grid_.enrichment.enriches(x, y, s_.x(i), s_.y(j)) ? 1u : 0u, s_.index(i, j)};
+        n = {};
+        if (!original(i, s_.nx, sides_.left, sides_.right, sides_.between_x, n.sx)) return false;
+        if (!original(j, s_.ny, sides_.bottom, sides_.top, sides_.between_y, n.sy)) return false;
+        n.field = grid_.enriches(x, y, s_.x(i), s_.y(j)) ? 1u : 0u;
+        n.index = s_.index(i, j);
         return mass(n, i, j) >= limit_;
     }
 
+    // Every heavy neighbour with another behind it carries the node on along their line, the heaviest most:
+    // equals share, and a last bit decides nothing. Where there is no such line the node goes with its
+    // neighbours.
     void add_follower(NodeAt self, int i, int j, std::vector<Follower>& out) const {
         const Node& n = at(self);
         const double x = n.mx / n.own, y = n.my / n.own;
-        double most = 0;
-        Follower f{self, self, self, false};
+        for (const bool linear : {true, false}) {
+            const Follower f = carried(self, x, y, i, j, linear);
+            if (f.count > 0) return out.push_back(f);
+        }
+    }
+
+    Follower carried(NodeAt self, double x, double y, int i, int j, bool linear) const {
+        Follower f{self, {}, {}, 0};
+        double sum = 0;
         for (const auto& [di, dj] : kAround) {
             NodeAt near, far;
             if (!is_heavy(x, y, i + di, j + dj, near)) continue;
-            const double m = mass(near, i + di, j + dj);
-            if (m <= most * (1 + kEqual)) continue;
-            most = m, f.near = near;
-            f.linear = is_heavy(x, y, i + 2 * di, j + 2 * dj, far);
-            f.far = f.linear ? far : near;
+            if (linear && !is_heavy(x, y, i + 2 * di, j + 2 * dj, far)) continue;
+            const double w = rank(mass(near, i + di, j + dj) / limit_);
+            f.add(near, linear ? 2 * w : w);
+            if (linear) f.add(far, -w);
+            sum += w;
         }
-        if (most > 0) out.push_back(f);
+        for (double& w : f.weight) w /= sum > 0 ? sum : 1;
+        return f;
     }
 
     const Grid& grid_;
@@ -71,18 +100,18 @@ class Search {
     double limit_, least_;
 };
 
-void add(Node& to, const Node& from, double w) {
+void add(Node& to, const Node& from, double w, const NodeAt& at) {
+    const double wx = w * at.sx, wy = w * at.sy;
     to.mass += w * from.mass;
-    to.px += w * from.px, to.py += w * from.py;
-    to.fx += w * from.fx, to.fy += w * from.fy;
+    to.px += wx * from.px, to.py += wy * from.py;
+    to.fx += wx * from.fx, to.fy += wy * from.fy;
 }
 
 }  // namespace
 
 double light_mass(const Points& points, const GridShape& shape) {
     SG_EXPECT(points.size() > 0 && points.half > 0);
-    const double across = shape.cell / (2 * points.half);  // points a cell, along an axis
-    return 0.125 * points.mass.front() * across * across;
+    return 0.1 * points.mass.front() / points.volume0.front() * shape.cell * shape.cell;
 }
 
 std::vector<Follower> find_followers(const Grid& grid, const Boundaries& boundaries, double limit) {
@@ -98,8 +127,7 @@ void give(const std::vector<Follower>& followers, Grid& grid) {  // docs/how_it_
     const auto node = [&](NodeAt n) -> Node& { return grid.fields[n.field].nodes[n.index]; };
     for (const Follower& f : followers) {
         const Node n = node(f.node);
-        add(node(f.near), n, f.linear ? 2 : 1);
-        if (f.linear) add(node(f.far), n, -1);
+        for (std::size_t k = 0; k < f.count; ++k) add(node(f.lead[k]), n, f.weight[k], f.lead[k]);
         node(f.node) = Node{};
     }
 }
@@ -107,9 +135,13 @@ void give(const std::vector<Follower>& followers, Grid& grid) {  // docs/how_it_
 void follow(const std::vector<Follower>& followers, Grid& grid) {  // (eq. 7a)
     const auto motion = [&](NodeAt n) -> Motion& { return grid.fields[n.field].motion[n.index]; };
     for (const Follower& f : followers) {
-        const Motion &a = motion(f.near), &b = motion(f.far);
-        motion(f.node) =
-            f.linear ? Motion{2 * a.vx - b.vx, 2 * a.vy - b.vy, 2 * a.ax - b.ax, 2 * a.ay - b.ay} : a;
+        Motion sum;
+        for (std::size_t k = 0; k < f.count; ++k) {
+            const Motion& m = motion(f.lead[k]);
+            const double wx = f.weight[k] * f.lead[k].sx, wy = f.weight[k] * f.lead[k].sy;
+            sum.vx += wx * m.vx, sum.vy += wy * m.vy, sum.ax += wx * m.ax, sum.ay += wy * m.ay;
+        }
+        motion(f.node) = sum;
     }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "mpm/boundary.hpp"
@@ -15,19 +16,25 @@
 // Numer. Anal. 39(2), 442-462).
 namespace sandgraph::mpm {
 
-// Below this a node is light [kg/m]: an eighth of a full cell, as above a row of points that has risen by
-// half a cell. With the share between a half and a whole cell the node's own equation is as good as any
-// other.
+// Below this a node is light [kg/m]: a tenth of a full cell, as above a row of points that has risen by
+// nearly half a cell; an eighth is what a point that stands on a node gives to the next, and round-off would
+// decide. With the share between a half and a whole cell the node's own equation is as good as any other.
 double light_mass(const Points& points, const GridShape& shape);
 
+// A node, or with signs its image behind a mirror plane.
 struct NodeAt {
     std::size_t field = 0, index = 0;
+    double sx = 1, sy = 1;
 };
 
-// v(node) = 2 v(near) - v(far), or v(near) where nothing heavy lies behind it.
+// v(node) = sum of weight v(lead); the weights sum to 1.
 struct Follower {
-    NodeAt node, near, far;
-    bool linear = false;
+    NodeAt node;
+    std::array<NodeAt, 16> lead;
+    std::array<double, 16> weight{};
+    std::size_t count = 0;
+
+    void add(NodeAt of, double w) { lead[count] = of, weight[count++] = w; }
 };
 
 // Nodes of both fields lighter than `limit` [kg/m] that have a heavier neighbour of the same side of the cut,

@@ -21,13 +21,14 @@ void require_inside(const Points& points, const GridShape& shape) {
 // True when the set changed.
 bool mark_near(Order& order, const Points& points, const Grid& grid) {
     const bool sized = order.is_near.size() == points.size();
-    if (!grid.enrichment.active && sized && order.near.empty()) return false;
-    const Rectangle box = grid.enrichment.surroundings(grid.shape.cell, points.half);
+    if (grid.near.empty() && sized && order.near.empty()) return false;
     std::uint8_t changed = sized ? 0 : 1;
     order.is_near.resize(points.size());
     for (std::size_t p = 0; p < points.size(); ++p) {
         const double x = points.x[p], y = points.y[p];
-        const std::uint8_t inside = (x > box.x0) & (x < box.x1) & (y > box.y0) & (y < box.y1);
+        std::uint8_t inside = 0;
+        for (const Rectangle& box : grid.near)
+            inside |= static_cast<std::uint8_t>((x > box.x0) & (x < box.x1) & (y > box.y0) & (y < box.y1));
         changed |= order.is_near[p] ^ inside;
         order.is_near[p] = inside;
     }

@@ -21,7 +21,7 @@ inline std::span<const std::int32_t> band(const Order& order, std::size_t b) {
 // f(ids of the band) for bands first, first + step, ...; at once if the order is long enough.
 template <class F>
 void for_bands(const Order& order, std::size_t first, std::size_t step, F f) {
-    SG_EXPECT(step > 0 && !order.stale);
+    SG_EXPECT(step > 0);
     const auto run = [&](std::size_t b) {
         if (const auto ids = band(order, b); !ids.empty()) f(ids);
     };

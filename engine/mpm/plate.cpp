@@ -6,6 +6,10 @@ namespace sandgraph::mpm {
 
 Enrichment enrichment_of(const RigidPlate& plate) {
     SG_EXPECT(plate.half_width >= 0 && plate.half_height >= 0);
+    if (plate.round) {  // nothing is cut: it is thicker than a stencil
+        return {true, true, plate.y, plate.x - plate.half_width, plate.x + plate.half_width, plate.half_width,
+                0};
+    }
     const bool along_x = plate.half_width >= plate.half_height;
     const double middle = along_x ? plate.x : plate.y, half = along_x ? plate.half_width : plate.half_height;
     return {true,
@@ -22,7 +26,7 @@ void advance(RigidPlate& plate, double dt) {
     plate.y += dt * plate.velocity.y();
 }
 
-void archive(Archive& a, RigidPlate& plate) {
+void archive(Archive& a, RigidPlate& plate, const std::string& prefix) {
     RestPressure& r = plate.rest;
     double* const values[] = {
         &plate.x,           &plate.y,           &plate.half_width,     &plate.half_height,
@@ -30,7 +34,7 @@ void archive(Archive& a, RigidPlate& plate) {
         &r.vertical,        &r.horizontal,      &r.vertical_gradient,  &r.horizontal_gradient};
     std::vector<double> flat;
     for (const double* v : values) flat.push_back(*v);
-    field_of_known_length(a, "plate/state", flat);
+    field_of_known_length(a, prefix + "plate/state", flat);
     for (std::size_t k = 0; k < std::size(values); ++k) *values[k] = flat[k];
 }
 

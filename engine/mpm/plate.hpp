@@ -1,4 +1,7 @@
 #pragma once
+#include <cmath>
+#include <string>
+
 #include "base/archive.hpp"
 #include "base/contracts.hpp"
 #include "base/tensor.hpp"
@@ -21,7 +24,7 @@ inline RestPressure rest_pressure(double surcharge, double unit_weight, double d
     return {vertical, K0 * vertical, unit_weight, K0 * unit_weight};
 }
 
-// A rigid rectangle with prescribed velocity, per metre out of plane.
+// A rigid rectangle, or a circle, with prescribed velocity, per metre out of plane.
 struct RigidPlate {
     double x = 0, y = 0;                     // centre [m]
     double half_width = 0, half_height = 0;  // [m]
@@ -29,7 +32,13 @@ struct RigidPlate {
     double friction_angle = 0;               // plate-soil [rad]; pi/2: perfectly rough
     double stiffness = 0;                    // k_a [Pa/m]: pressure per penetration
     RestPressure rest = {};
+    bool round = false;  // a circle of radius half_width
+    // Nodes beyond the ends of a face are not pressed: where the ends lie between nodes (contact_point.hpp).
+    bool trimmed = true;
 
+    // Of a circle's edge, outside positive [m].
+    double distance(double px, double py) const { return std::hypot(px - x, py - y) - half_width; }
+    // About all of it.
     Rectangle rectangle() const { return {x - half_width, y - half_height, x + half_width, y + half_height}; }
 };
 
@@ -44,6 +53,6 @@ Enrichment enrichment_of(const RigidPlate& plate);
 
 // Moves the centre by dt velocity.
 void advance(RigidPlate& plate, double dt);
-void archive(Archive& a, RigidPlate& plate);
+void archive(Archive& a, RigidPlate& plate, const std::string& prefix = "");
 
 }  // namespace sandgraph::mpm

@@ -26,6 +26,11 @@ struct Points {
     std::size_t size() const { return x.size(); }
 };
 
+// Of a point's domain, what lies in the model: 1, or a half of one that stands on a mirror plane.
+inline double share(const Points& points, std::size_t p) {
+    return points.volume0[p] / (4 * points.half * points.half);
+}
+
 // Points at rest and unstrained; x, y set by the caller.
 void resize(Points& points, std::size_t count);
 void archive(Archive& a, Points& points);

@@ -15,8 +15,7 @@ inline Stencil stencil(const Grid& grid, const Weights& x, const Weights& y, dou
     Stencil r{x, y, 0};
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i)
-            if (grid.enrichment.enriches(point_x, point_y, grid.shape.x(x.base + i),
-                                         grid.shape.y(y.base + j)))
+            if (grid.enriches(point_x, point_y, grid.shape.x(x.base + i), grid.shape.y(y.base + j)))
                 r.across |= 1u << (3 * j + i);
     return r;
 }

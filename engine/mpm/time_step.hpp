@@ -13,6 +13,8 @@ struct Scheme {
     double pic_fraction = 0.01;    // share of PIC in the velocity update, the rest FLIP
     double mass_scaling = 1;       // inertia multiplied, gravity kept
     double contact_stiffness = 1;  // plate-soil penalty, in units of M/cell
+    double hourglass = 0.1;        // own share of a point's strain beside its cell's mean; 1: all of it
+    bool light_nodes = true;       // nodes with next to no mass follow their neighbours
 };
 
 // What the time step is bounded by beside the scheme: cell [m], P-wave modulus M [Pa], density [kg/m3].

@@ -46,17 +46,19 @@ Status count_outside(const Points& points, const GridShape& shape) {
 
 }  // namespace
 
-void points_to_grid(const Points& points, const Order& order, Grid& grid) {
+void points_to_grid(const Points& points, std::span<const Stress> stress, const Order& order, Grid& grid) {
     if (order.stale) throw std::logic_error("points_to_grid: refresh the order of the points first");
     SG_EXPECT(order.is_near.size() == points.size());
     SG_EXPECT(grid.fields[0].nodes.size() == grid.shape.size());
     clear(grid);
-    grid.point_mass = points.size() ? points.mass.front() : 0;
+    grid.point_mass = points.size() ? points.mass.front() / share(points, 0) : 0;
     Node* const nodes = grid.fields[0].nodes.data();
-    const auto add = [&](std::span<const std::int32_t> ids) { scatter(ids, points, grid.shape, nodes); };
+    const auto add = [&](std::span<const std::int32_t> ids) {
+        scatter(ids, points, stress, grid.shape, nodes);
+    };
     for_bands(order, 0, 2, add);
     for_bands(order, 1, 2, add);
-    scatter_enriched(order.near, points, grid);
+    scatter_enriched(order.near, points, stress, grid);
 }
 
 Status grid_to_points(const Grid& grid, const Advance& advance, Order& order, Points& points) {

@@ -8,8 +8,12 @@ namespace sandgraph::mpm {
 
 // Clears the grid and adds what the points bring, with uniform GIMP weights S_ip (Bardenhagen & Kober 2004):
 //   m_i = sum_p S_ip m_p,  p_i = sum_p S_ip m_p v_p,  f_i = -sum_p V_p sigma_p . grad S_ip.
-// `order` must be fresh. Sums come in the same order at any thread count.
-void points_to_grid(const Points& points, const Order& order, Grid& grid);
+// `order` must be fresh. Sums come in the same order at any thread count. `stress` [Pa] by point id: the
+// points' own, or the one that reduced integration takes for it (cell_mean.hpp).
+void points_to_grid(const Points& points, std::span<const Stress> stress, const Order& order, Grid& grid);
+inline void points_to_grid(const Points& points, const Order& order, Grid& grid) {
+    points_to_grid(points, points.stress, order, grid);
+}
 
 // What the caller must look at: with `outside` > 0 the next refresh of the order throws.
 struct Status {

@@ -41,9 +41,9 @@ struct alignas(64) Load {
 };
 
 // Momentum S m v and internal force -V sigma grad S: docs/how_it_works.md (eq. 3).
-HWY_INLINE void load_point(const Points& points, std::size_t p, Load& load) {
+HWY_INLINE void load_point(const Points& points, std::span<const Stress> stress, std::size_t p, Load& load) {
     const double m = points.mass[p], V = points.volume[p];
-    const Stress& s = points.stress[p];
+    const Stress& s = stress[p];
     load.q[0] = m, load.q[1] = m * points.vx[p], load.q[2] = m * points.vy[p];
     load.q[5] = m * points.x[p], load.q[6] = m * points.y[p], load.q[7] = m;
     load.gx[3] = -V * s.xx, load.gx[4] = -V * s.xy;
@@ -64,14 +64,15 @@ HWY_INLINE void scatter_point(const Weighted& w, std::size_t k, const Load& load
     }
 }
 
-void Scatter(std::span<const std::int32_t> ids, const Points& points, const GridShape& shape, Node* nodes) {
+void Scatter(std::span<const std::int32_t> ids, const Points& points, std::span<const Stress> stress,
+             const GridShape& shape, Node* nodes) {
     Load loads[block] = {};
     Weighted w;
     for (std::size_t start = 0; start < ids.size(); start += block) {
         const auto part = ids.subspan(start, std::min(block, ids.size() - start));
         weigh_points(part, points, shape, w);
         for (std::size_t k = 0; k < part.size(); ++k)
-            load_point(points, static_cast<std::size_t>(part[k]), loads[k]);
+            load_point(points, stress, static_cast<std::size_t>(part[k]), loads[k]);
         for (std::size_t k = 0; k < part.size(); ++k) scatter_point(w, k, loads[k], shape, nodes);
     }
 }
@@ -125,10 +126,12 @@ namespace sandgraph::mpm {
 HWY_EXPORT(Scatter);
 HWY_EXPORT(Gather);
 
-void scatter(std::span<const std::int32_t> ids, const Points& points, const GridShape& shape, Node* nodes) {
+void scatter(std::span<const std::int32_t> ids, const Points& points, std::span<const Stress> stress,
+             const GridShape& shape, Node* nodes) {
+    SG_EXPECT(stress.size() == points.size());
     SG_EXPECT(nodes != nullptr && all_below(ids, points.size()));
     SG_EXPECT(points.half <= 0.5 * shape.cell * (1 + 1e-12));
-    HWY_DYNAMIC_DISPATCH(Scatter)(ids, points, shape, nodes);
+    HWY_DYNAMIC_DISPATCH(Scatter)(ids, points, stress, shape, nodes);
 }
 
 void gather(std::span<const std::int32_t> ids, const GridShape& shape, const Motion* motion,

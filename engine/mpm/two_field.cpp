@@ -27,6 +27,11 @@ NodeBox nodes_around(const Enrichment& enrichment, const GridShape& shape) {
     return box;
 }
 
+NodeBox hull(const NodeBox& a, const NodeBox& b) {
+    if (a.empty()) return b;
+    return {std::min(a.i0, b.i0), std::min(a.j0, b.j0), std::max(a.i1, b.i1), std::max(a.j1, b.j1)};
+}
+
 Stencil stencil_of(std::size_t p, const Points& points, const Grid& grid) {
     const GridShape& s = grid.shape;
     const double x = points.x[p], y = points.y[p], half = points.half;
@@ -34,9 +39,9 @@ Stencil stencil_of(std::size_t p, const Points& points, const Grid& grid) {
                    average(y - half - s.y0, y + half - s.y0, s.cell), x, y);
 }
 
-void scatter_point(std::size_t p, const Points& points, Grid& grid) {
+void scatter_point(std::size_t p, const Points& points, std::span<const Stress> stress, Grid& grid) {
     const double m = points.mass[p], V = points.volume[p];
-    const Stress& s = points.stress[p];
+    const Stress& s = stress[p];
     const Stencil r = stencil_of(p, points, grid);
     for_each_node(grid, r, [&](unsigned field, std::size_t index, std::size_t i, std::size_t j) {
         const double S = r.x.S[i] * r.y.S[j], dx = r.x.dS[i] * r.y.S[j], dy = r.x.S[i] * r.y.dS[j];
@@ -64,20 +69,28 @@ Reading read_point(std::size_t p, const Points& points, const Grid& grid) {
 
 }  // namespace
 
-void set_enrichment(Grid& grid, const Enrichment& enrichment, double half) {
+void set_bodies(Grid& grid, std::span<const Enrichment> bodies, double half) {
     SG_EXPECT(half > 0);
     Field& second = grid.fields[1];
-    grid.enrichment = enrichment;
-    grid.enrichment.margin = grid.shape.cell + half;
-    second.box = enrichment.active ? nodes_around(enrichment, grid.shape) : NodeBox{};
-    if (!enrichment.active || !second.nodes.empty()) return;
+    grid.cuts.clear(), grid.near.clear();
+    second.box = {};
+    for (const Enrichment& body : bodies) {
+        if (!body.active) continue;
+        grid.near.push_back(body.surroundings(grid.shape.cell, half));
+        if (body.half_thickness >= grid.shape.cell * (1 - 1e-9)) continue;
+        grid.cuts.push_back(body);
+        grid.cuts.back().margin = grid.shape.cell + half;
+        second.box = hull(second.box, nodes_around(body, grid.shape));
+    }
+    if (second.box.empty() || !second.nodes.empty()) return;
     second.nodes.resize(grid.shape.size());
     second.motion.resize(grid.shape.size());
 }
 
-void scatter_enriched(std::span<const std::int32_t> ids, const Points& points, Grid& grid) {
+void scatter_enriched(std::span<const std::int32_t> ids, const Points& points, std::span<const Stress> stress,
+                      Grid& grid) {
     SG_EXPECT(all_below(ids, points.size()));
-    for (const auto p : ids) scatter_point(static_cast<std::size_t>(p), points, grid);
+    for (const auto p : ids) scatter_point(static_cast<std::size_t>(p), points, stress, grid);
 }
 
 void gather_enriched(std::span<const std::int32_t> ids, const Grid& grid, const Advance& advance,

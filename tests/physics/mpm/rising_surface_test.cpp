@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "mpm/light_nodes.hpp"
 #include "scene/read_scene.hpp"
 #include "simulation/scene_spec.hpp"
 #include "tests/support/sand_scene.hpp"
@@ -11,8 +10,10 @@
 namespace sandgraph::simulation {
 namespace {
 
-// A shallow plate, H/B = 1: the sand above it rises as a block.
-scene::Scene shallow(const std::vector<std::string>& set) {
+// A shallow plate, H/B = 1: the sand above it rises as a block where its flow is associated. (Without
+// dilation the mechanism is not unique: the crown spreads, at every rate alike.)
+scene::Scene shallow(std::vector<std::string> set) {
+    set.push_back("continuum.dilation_angle=30 deg");
     return scene::parse_scene(support::sand_scene({.width = 2,
                                                    .depth = 2.5,
                                                    .thickness = 0.25,
@@ -26,7 +27,6 @@ scene::Scene shallow(const std::vector<std::string>& set) {
 std::vector<double> rise(const scene::Scene& scene, double pull) {
     const packings::PreparedGround ground = packings::prepare_ground(scene);
     const auto simulation = simulation_of(scene, ground);
-    simulation->state().light = mpm::light_mass(simulation->state().points, simulation->state().grid.shape);
     const mpm::Points before = simulation->state().points;
     while (simulation->travel() < pull) simulation->step();
     const mpm::Points& after = simulation->state().points;
@@ -51,7 +51,7 @@ TEST_P(RisingSurface, GoesWithTheBlockAtEveryRate) {
                                     fmt::format("domain.points_per_cell={}", points)}),
                            0.02);
     for (int row = 0; row < 4; ++row) {
-        EXPECT_GT(rows[static_cast<std::size_t>(row)], 0.96) << row;
+        EXPECT_GT(rows[static_cast<std::size_t>(row)], 0.97) << row;
         EXPECT_LT(rows[static_cast<std::size_t>(row)], 1.02) << row;
     }
 }
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(FourPoints, RisingSurface, testing::Values(std::tuple(0
 // The ground's answer to a pull of a hundredth of a millimetre is elastic: nothing moves further than the
 // plate.
 TEST(FirstMotion, MovesNothingFurtherThanThePlate) {
-    const auto rows = rise(shallow({"continuum.friction_angle=30 deg"}), 1e-5);
+    const auto rows = rise(shallow({}), 1e-5);
     for (const double share : rows) {
         EXPECT_GT(share, -0.02);
         EXPECT_LT(share, 1.02);

@@ -33,7 +33,7 @@ struct Embedded {
         contact = make_contact(points.size());
     }
     void load() {
-        set_enrichment(grid, enrichment_of(plate), points.half);
+        set_bodies(grid, std::array{enrichment_of(plate)}, points.half);
         refresh(order, points, grid);
         points_to_grid(points, order, grid);
         add_contact(plate, points, order, grid, contact);

@@ -39,7 +39,7 @@ struct Embedded {
     }
 
     void load() {
-        set_enrichment(grid, enrichment_of(plate), points.half);
+        set_bodies(grid, std::array{enrichment_of(plate)}, points.half);
         refresh(order, points, grid);
         points_to_grid(points, order, grid);
         add_contact(plate, points, order, grid, contact);
@@ -167,7 +167,7 @@ TEST(Contact, ForgetsItsSlipWhenContactIsLost) {
 TEST(TwoFields, SoilAboveDoesNotMoveTheNodesOfTheSoilBelow) {
     Embedded e(0.37, 0.21);
     for (std::size_t p = 0; p < e.points.size(); ++p) e.points.vy[p] = e.points.y[p] > e.plate.y ? 1 : 0;
-    set_enrichment(e.grid, enrichment_of(e.plate), e.points.half);
+    set_bodies(e.grid, std::array{enrichment_of(e.plate)}, e.points.half);
     refresh(e.order, e.points, e.grid);
     points_to_grid(e.points, e.order, e.grid);
     const int i = static_cast<int>(std::lround(e.plate.x / cell));

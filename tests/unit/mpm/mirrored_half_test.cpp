@@ -141,7 +141,7 @@ TEST(InternalForce, IsOfThePresentVolume) {
         const auto forces = [&] {
             Grid grid(support::grid_around(10, 10));
             Order order;
-            if (plate) set_enrichment(grid, enrichment_of({0.7, 0.7, 0.5, 0.05}), points.half);
+            if (plate) set_bodies(grid, std::array{enrichment_of({0.7, 0.7, 0.5, 0.05})}, points.half);
             refresh(order, points, grid);
             EXPECT_EQ(order.near.empty(), !plate);
             points_to_grid(points, order, grid);

@@ -14,7 +14,7 @@ namespace {
 TEST(Order, HoldsEveryPointOnceInItsBand) {
     const Points points = support::random_ground(20, 60, 4, 3);
     Grid grid(support::grid_around(20, 60));
-    set_enrichment(grid, {true, true, 3, 0.8, 1.6, 0.05}, points.half);
+    set_bodies(grid, std::array{Enrichment{true, true, 3, 0.8, 1.6, 0.05}}, points.half);
     Order order;
     refresh(order, points, grid);
     std::set<std::int32_t> seen(order.near.begin(), order.near.end());
@@ -36,7 +36,7 @@ TEST(Order, KeptUpToDateOverAMovingRunIsTheOneBuiltAfresh) {
     for (Motion& m : grid.fields[0].motion) m = {0, 0.5, 0, 0};
     Order order;
     for (int k = 0; k < 40; ++k) {
-        set_enrichment(grid, {true, true, 2 + 0.01 * k, 0.4, 1.0, 0.05}, points.half);
+        set_bodies(grid, std::array{Enrichment{true, true, 2 + 0.01 * k, 0.4, 1.0, 0.05}}, points.half);
         refresh(order, points, grid);
         Order fresh;
         refresh(fresh, points, grid);

@@ -62,7 +62,7 @@ TEST_P(PointsToGrid, VectorKernelEqualsThePlainSum) {
     Grid plain(grid.shape);
     std::vector<std::int32_t> all(points.size());
     for (std::size_t p = 0; p < all.size(); ++p) all[p] = static_cast<std::int32_t>(p);
-    scatter_enriched(all, points, plain);
+    scatter_enriched(all, points, points.stress, plain);
     for (std::size_t n = 0; n < grid.shape.size(); ++n) {
         const Node &a = grid.fields[0].nodes[n], &b = plain.fields[0].nodes[n];
         EXPECT_NEAR(a.mass, b.mass, 1e-12);

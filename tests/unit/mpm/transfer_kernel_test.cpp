@@ -40,7 +40,7 @@ Grid moving_grid() {
 Result transfer() {
     Result r{{}, ground()};
     Grid grid = moving_grid();
-    scatter(ids(r.points), r.points, grid.shape, grid.fields[0].nodes.data());
+    scatter(ids(r.points), r.points, r.points.stress, grid.shape, grid.fields[0].nodes.data());
     r.nodes = grid.fields[0].nodes;
     gather(ids(r.points), grid.shape, grid.fields[0].motion.data(), {1e-3, 0.2}, r.points);
     return r;
@@ -49,7 +49,7 @@ Result transfer() {
 Result plain() {
     Result r{{}, ground()};
     Grid grid = moving_grid();
-    scatter_enriched(ids(r.points), r.points, grid);
+    scatter_enriched(ids(r.points), r.points, r.points.stress, grid);
     r.nodes = grid.fields[0].nodes;
     gather_enriched(ids(r.points), grid, {1e-3, 0.2}, r.points);
     return r;
