@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "base/revision.hpp"
 #include "results/analytic.hpp"
+#include "results/exact.hpp"
 #include "results/finished_run.hpp"
 #include "results/known_sand.hpp"
 #include "results/peak.hpp"
@@ -82,6 +83,29 @@ void add_breakout(const simulation::RunSession& session, const scene::Scene& sce
     }
 }
 
+void add_exact(const Curve& curve, const scene::Scene& scene, const packings::PreparedGround& ground,
+               io::Summary& s) {
+    const auto exact = exact_load(scene, ground.density);
+    if (!exact) return;
+    // Of a wall that gives way the ground drives the body.
+    const double limit = std::fabs(limit_load(curve.d, curve.load)) / exact->unit;
+    s.extra.emplace_back("limit_factor", limit);
+    s.extra.emplace_back("exact_factor", exact->factor);
+    s.extra.emplace_back("limit_error", limit / exact->factor - 1);
+}
+
+// The load of a body beside an anchor's formulas: no breakout, no N.
+void add_body_load(const simulation::RunSession& session, const scene::Scene& scene,
+                   const packings::PreparedGround& ground, io::Summary& s) {
+    const Curve curve = curve_of(session.recorders().record());
+    s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
+    for (std::size_t k = 0; k < curve.load.size(); ++k)
+        if (k == 0 || curve.load[k] > s.breakout_load)
+            s.breakout_load = curve.load[k], s.breakout_d_over_B = curve.d[k];
+    s.late_load = late_load(curve.d, curve.load);
+    add_exact(curve, scene, ground, s);
+}
+
 void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
                const packings::PreparedGround& ground, io::Summary& s) {
     s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
@@ -95,6 +119,7 @@ void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
                         s.kinetic_to_strain_energy_max));
     add_breakout(session, scene, ground, s);
     add_formula(scene, ground, s);
+    add_exact(curve_of(session.recorders().record()), scene, ground, s);
     s.extra.emplace_back("unit_load_N_per_m", simulation::unit_load(scene, ground));
 }
 
@@ -132,7 +157,10 @@ io::Summary summarise(const simulation::RunSession& session, const scene::Scene&
     s.scene_hash = hex(scene::scene_hash(scene));
     add_grains(run, s);
     add_history(session, s);
-    if (scene.anchor.present) add_loads(session, scene, ground, s);
+    if (scene.anchor.present)
+        add_loads(session, scene, ground, s);
+    else if (scene.loaded())
+        add_body_load(session, scene, ground, s);
     add_known_sand(scene, ground, s);
     s.extra.emplace_back("density_kg_per_m3", ground.density);
     for (const auto& [phase, seconds] : session.recorders().record().timing)
@@ -201,9 +229,22 @@ std::string loads_text(const io::Summary& s, bool up) {
 
 }  // namespace
 
+std::string exact_text(const io::Summary& s) {
+    const double limit = s.number("limit_factor"), exact = s.number("exact_factor");
+    if (std::isnan(limit)) return "";
+    if (std::isnan(exact)) return fmt::format("limit factor {:.4g}, no exact one is known\n", limit);
+    return fmt::format("limit factor {:.4g}, exactly {:.4g}: {:+.1f} %\n", limit, exact,
+                       100 * s.number("limit_error"));
+}
+
 std::string summary_text(const io::Summary& s, const scene::Scene& scene) {
     std::string out;
     if (scene.anchor.present) out += loads_text(s, pulled_up(scene));
+    if (scene.loaded() && !scene.anchor.present)
+        out += fmt::format("largest load {:.4g} kN/m at d/B {:.3f}, late load {:.4g} kN/m, {}\n",
+                           s.breakout_load / 1000, s.breakout_d_over_B, s.late_load / 1000,
+                           energy_text(s.kinetic_to_strain_energy_max));
+    out += exact_text(s);
     for (const std::string& warning : s.warnings) out += "warning: " + warning + "\n";
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");

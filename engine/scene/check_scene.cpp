@@ -22,6 +22,8 @@ class Checks {
           ground_(scene.ground),
           surrogate_alone_(scene.mode == Mode::screening && !scene.screening.gate.active),
           regions_(scene.regions),
+          bodies_(scene.bodies),
+          columns_on_sides_(columns_on_sides(scene)),
           keys_(keys),
           file_(scene.file) {}
 
@@ -115,7 +117,7 @@ class Checks {
         const double spacing = point_spacing(domain_), B = anchor_.width;
         whole_spacings("anchor.thickness", anchor_.thickness, 0, 1, "m");
         if (anchor_.orientation == Orientation::horizontal) {
-            whole_spacings("anchor.width", B, 0, 2, "m");
+            whole_spacings("anchor.width", B, 0, 1, "m");
         } else {
             whole_spacings("anchor.width", B, 0, 1, "m");
             whole_spacings("anchor.position", anchor_.position, std::fmod(0.5 * anchor_.thickness, spacing),
@@ -124,7 +126,76 @@ class Checks {
         whole_spacings("anchor.embedment_ratio", anchor_.embedment_ratio, 0, 1 / B, "");
     }
 
+    void bodies() const {
+        for (std::size_t k = 0; k < bodies_.size(); ++k) {
+            inside(bodies_[k]);
+            between_points(bodies_[k]);
+            for (std::size_t other = 0; other < k; ++other) apart(bodies_[k], bodies_[other]);
+            if (anchor_.present) apart(bodies_[k], anchor_as_body());
+        }
+    }
+
   private:
+    [[noreturn]] static void refuse_body(const Body& b, const std::string& what, const std::string& why,
+                                         const std::string& advice) {
+        throw InputError(b.where, "[[body]] " + what, why, advice);
+    }
+    // In a half model a body may stand on the symmetry plane, half of it outside.
+    void inside(const Body& b) const {
+        const bool halved = b.low(0) < -slack;
+        if (halved && std::abs(b.centre[0]) > slack)
+            refuse_body(b, fmt::format("from x = {:.6g} m", b.low(0)), "it reaches through the left side",
+                        "move it inside, or centre it on the symmetry plane x = 0");
+        if (halved && b.velocity[0] != 0)
+            refuse_body(b, "on the symmetry plane", "it can move up or down only",
+                        "give it a velocity along y");
+        const double right = b.high(0) + (b.velocity[0] > 0 ? b.travel : 0);
+        if (right > domain_.width + slack)
+            refuse_body(b, fmt::format("to x = {:.6g} m", right), "it reaches through the right side",
+                        fmt::format("write domain.width = \"{:.6g} m\" or more", cells_up(right)));
+        const double low = b.low(1) - (b.velocity[1] < 0 ? b.travel : 0);
+        if (low < -slack)
+            refuse_body(b, fmt::format("down to y = {:.6g} m", low), "it reaches through the base",
+                        "move it up, or make its travel shorter");
+        if (b.low(1) > domain_.depth + slack)
+            refuse_body(b, fmt::format("from y = {:.6g} m", b.low(1)), "it stands above the ground",
+                        fmt::format("the surface is y = {:.6g} m", domain_.depth));
+    }
+    void between_points(const Body& b) const {
+        if (b.shape == Shape::circle) return wide_enough(b);
+        const double spacing = point_spacing(domain_);
+        const double off_x = columns_on_sides_ ? 0.5 * spacing : 0;
+        for (const auto& [at, offset] : {std::pair{b.high(0), off_x}, {b.low(1), 0.0}, {b.high(1), 0.0}}) {
+            if (std::abs(at - domain_.width) < slack && at == b.high(0)) continue;  // on the side itself
+            const double count = (at - offset) / spacing;
+            if (std::abs(count - std::round(count)) > 1e-6)
+                refuse_body(b, fmt::format("with a face at {:.6g} m", at),
+                            fmt::format("faces must lie between the points, {:.6g} m apart", spacing),
+                            fmt::format("move it to {:.6g} m", offset + std::round(count) * spacing));
+        }
+    }
+    void wide_enough(const Body& b) const {
+        if (b.size[0] < 4 * domain_.cell * (1 - 1e-9))
+            refuse_body(b, fmt::format("with a radius of {:.6g} m", 0.5 * b.size[0]),
+                        fmt::format("less than two cells of {:.6g} m are no circle", domain_.cell),
+                        "take a larger radius or a smaller domain.cell");
+    }
+    static void apart(const Body& a, const Body& b) {
+        for (std::size_t k = 0; k < 2; ++k)
+            if (a.high(k) <= b.low(k) + slack || b.high(k) <= a.low(k) + slack) return;
+        refuse_body(a, fmt::format("about ({:.6g}, {:.6g}) m", a.centre[0], a.centre[1]),
+                    fmt::format("it overlaps the body about ({:.6g}, {:.6g}) m", b.centre[0], b.centre[1]),
+                    "move them apart");
+    }
+    Body anchor_as_body() const {
+        const bool lying = anchor_.orientation == Orientation::horizontal;
+        const double H = anchor_.embedment_ratio * anchor_.width;
+        Body b;
+        b.size = {lying ? anchor_.width : anchor_.thickness, lying ? anchor_.thickness : anchor_.width};
+        b.centre = {anchor_.position,
+                    domain_.depth - H + (lying ? -0.5 * anchor_.thickness : 0.5 * anchor_.width)};
+        return b;
+    }
     // `value` must be `offset` plus a whole number of point spacings times `unit`.
     void whole_spacings(const char* name, double value, double offset, double unit,
                         const char* symbol) const {
@@ -214,6 +285,8 @@ class Checks {
     const Ground& ground_;
     bool surrogate_alone_;
     const std::vector<Region>& regions_;
+    const std::vector<Body>& bodies_;
+    bool columns_on_sides_;
     const KeyTable& keys_;
     const std::string& file_;
 };
@@ -224,6 +297,13 @@ double point_spacing(const Domain& domain) {
     return domain.cell / static_cast<double>(std::lround(std::sqrt(domain.points_per_cell)));
 }
 
+bool columns_on_sides(const Scene& scene) {
+    const Body* body = scene.loaded_body();
+    const bool halved = body ? body->low(0) < 0 && body->shape == Shape::rectangle
+                             : scene.anchor.present && scene.anchor.orientation == Orientation::horizontal;
+    return halved && std::lround(scene.anchor.width / point_spacing(scene.domain)) % 2 == 1;
+}
+
 void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
@@ -231,10 +311,11 @@ void check_scene(const Scene& scene, const KeyTable& keys) {
     checks.one_sample_of_a_file();
     checks.densities();
     checks.dilation();
+    checks.bodies();
+    if (scene.loaded()) checks.stressed();
     checks.held_at_rest();
     checks.learnt();
     if (!scene.anchor.present) return checks.regions_in_the_ground();
-    checks.stressed();
     checks.plate();
     checks.plate_between_points();
     checks.regions_in_the_ground();

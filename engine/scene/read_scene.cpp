@@ -1,5 +1,6 @@
 #include "scene/read_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -28,6 +29,21 @@ void place_anchor(const KeyTable& keys, Scene& scene) {
     scene.anchor.position = std::round((0.5 * scene.domain.width - half) / spacing) * spacing + half;
 }
 
+// Bodies stand instead of the anchor where the scene has no [anchor]. The one that is loaded gives the width
+// that loads and marks count in.
+void place_bodies(const KeyTable& keys, Scene& scene) {
+    const bool anchored =
+        std::ranges::any_of(keys.keys(), [](const Key& key) { return key.section == "anchor" && key.given; });
+    if (!scene.bodies.empty() && !anchored) scene.anchor.present = false;
+    const Body* body = scene.loaded_body();
+    if (!body) return;
+    Anchor& a = scene.anchor;
+    a.width = body->width(), a.pull_to = body->travel / a.width;
+    a.pull_rate = std::hypot(body->velocity[0], body->velocity[1]);
+    a.ramp = body->ramp * a.pull_to;
+    a.friction_angle = body->friction_angle;
+}
+
 // A key that lost its effect by an override would be refused in the text that a run keeps.
 void drop_idle(toml::table& table, const KeyTable& keys) {
     for (const Key& key : keys.keys())
@@ -47,6 +63,7 @@ Scene parse(const std::string& text, const std::string& file, std::span<const st
         keys.read(extra, override_file);
         merge(table, extra);
     }
+    place_bodies(keys, scene);
     if (files == NamedFiles::exist) check_effects(keys, FileKind::scene);  // what is over, is
     if (!overrides.empty()) drop_idle(table, keys);
     scene.text = overrides.empty() ? text : to_text(table);

@@ -11,6 +11,7 @@
 #include "dem/prepare/recipe.hpp"
 #include "graph/settings.hpp"
 #include "mpm/time_step.hpp"
+#include "scene/body_spec.hpp"
 #include "scene/region_spec.hpp"
 #include "stress/constants.hpp"
 
@@ -21,6 +22,20 @@ namespace sandgraph::scene {
 enum class Law { rve, elastic, mohr_coulomb };
 enum class Orientation { horizontal, vertical };  // of the plate; pulled along its normal (up / to +x)
 enum class Mode { full, screening };
+// Where the grid's nodes stand beside the ends of a plate's faces: midway about them, so that the plate is as
+// wide as it is, or on them, as in the paper, which makes it wider by a cell.
+enum class Edges { between_nodes, on_nodes };
+// What an exact limit load is known of (results/exact.hpp).
+enum class ExactCase {
+    none,
+    anchor,
+    anchor_vertical,
+    footing,
+    footing_surcharge,
+    wall_passive,
+    wall_active,
+    trapdoor
+};
 enum class PictureFormat { png, svg, pdf };
 
 struct Domain {
@@ -28,6 +43,7 @@ struct Domain {
     double depth = 5;   // ground surface is y = depth, fixed base y = 0 [m]
     double cell = 0.1;  // [m]
     int points_per_cell = 1;  // 1, 4 or 9
+    Edges edges = Edges::between_nodes;
 };
 
 struct Anchor {
@@ -98,7 +114,16 @@ struct Scene {
     Screening screening;
     Output output;
     std::vector<Region> regions;
+    std::vector<Body> bodies;  // beside the anchor
+    ExactCase exact = ExactCase::none;
     std::map<std::string, InputError::Where, std::less<>> given;  // "section.key" that the scene sets: where
+    // The body whose load is told where there is no anchor: the first that moves; null: none does.
+    const Body* loaded_body() const {
+        for (const Body& body : bodies)
+            if (body.moves() && !anchor.present) return &body;
+        return nullptr;
+    }
+    bool loaded() const { return anchor.present || loaded_body() != nullptr; }
     InputError::Where where(std::string_view key) const {
         const auto it = given.find(key);
         return it != given.end() ? it->second : InputError::Where{file, 0};

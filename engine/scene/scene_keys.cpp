@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "scene/body_tables.hpp"
 #include "scene/grain_keys.hpp"
 #include "scene/region_tables.hpp"
 #include "scene/screening_keys.hpp"
@@ -18,6 +19,13 @@ void add_top_keys(KeyTable& keys, Scene& scene) {
                "every point a packing, or the surrogate where it is safe");
     top.add("region", std::make_unique<RegionTables>(scene.regions), "parts of the ground to follow by name")
         .in_hash = false;
+    top.add("body", std::make_unique<BodyTables>(scene.bodies),
+            "rigid bodies beside or instead of the anchor");
+    top.choice("exact", scene.exact,
+               {"none", "anchor", "anchor_vertical", "footing", "footing_surcharge", "wall_passive",
+                "wall_active", "trapdoor"},
+               "known limit load to compare with")
+        .in_hash = false;
 }
 
 void add_domain_keys(KeyTable& keys, Domain& d) {
@@ -27,6 +35,9 @@ void add_domain_keys(KeyTable& keys, Domain& d) {
     domain.real("depth", d.depth, "m", above(0), "from the fixed base to the surface");
     domain.real("cell", d.cell, "m", above(0), "grid cell; width and depth are multiples of it");
     domain.integer("points_per_cell", d.points_per_cell, 1, "material points in a cell", {1, 4, 9});
+    domain.choice(
+        "edges", d.edges, {"between_nodes", "on_nodes"},
+        "grid nodes midway about the ends of a plate's faces, or on them (a cell too wide, as in the paper)");
 }
 
 void add_anchor_keys(KeyTable& keys, Anchor& a) {
@@ -86,6 +97,9 @@ void add_mpm_keys(KeyTable& keys, Mpm& m) {
     mpm.real("mass_scaling", m.mass_scaling, "", at_least(1), "inertia multiplied by this, gravity kept");
     mpm.real("contact_stiffness", m.contact_stiffness, "", above(0),
              "plate on soil, in P-wave moduli a cell");
+    mpm.real("hourglass", m.hourglass, "", above_up_to(0, 1),
+             "share that a point keeps of what its strain differs from its cell's mean; 1: full integration");
+    mpm.flag("light_nodes", m.light_nodes, "nodes with next to no mass follow their neighbours");
     mpm.real("end_time", m.end_time, "s", above(0), "end of a run without an anchor (a pull ends at pull_to)")
         .in_hash = false;
 }

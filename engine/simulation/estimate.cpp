@@ -46,7 +46,7 @@ double density(const scene::Scene& s) {
 }
 
 double duration(const scene::Scene& s) {
-    if (!s.anchor.present) return s.mpm.end_time;
+    if (!s.loaded()) return s.mpm.end_time;
     return settling_time(s.anchor.width) +
            (s.anchor.pull_to + s.anchor.ramp) * s.anchor.width / s.anchor.pull_rate;
 }
@@ -70,7 +70,7 @@ Estimate estimate(const scene::Scene& s, int threads) {
     e.points = s.domain.width * s.domain.depth / (spacing * spacing);
     e.steps = duration(s) / step_of(s, expected_modulus(s));
     e.bytes = e.points * (kBytesAPoint + packed_share(s) * kBytesAGrain * s.ground.grains.count);
-    const double pull = s.anchor.present ? s.anchor.pull_to : 0;
+    const double pull = s.loaded() ? s.anchor.pull_to : 0;
     const double dem =
         packed_share(s) * (kDemSteps + kDemStepsAWidth * pull) * kGrainStep * s.ground.grains.count;
     e.seconds = e.points * (e.steps * kPointStep + dem) / threads;
@@ -87,7 +87,7 @@ void require_feasible(const scene::Scene& s, const Estimate& e) {
                         of_grains(s) ? fmt::format(" with packings of {} grains", s.ground.grains.count) : "",
                         memory / 1e9),
             "look at domain.width, domain.depth and domain.cell");
-    if (!s.anchor.present) return;
+    if (!s.loaded()) return;
     constexpr double stiffest =
         2;  // of packings, beside what is expected: the last word is said when they are made
     require_slow_plate(s, step_of(s, (of_grains(s) ? stiffest : 1) * expected_modulus(s)));

@@ -13,6 +13,8 @@ double rate_at(const Programme& programme, double time) {  // docs/how_it_works.
     const double since = time - programme.settle;
     if (since <= 0) return 0;
     const double duration = 2 * programme.ramp / programme.rate;  // mean rate of a smoothstep is one half
+    const double stop = duration + (programme.travel - programme.ramp) / programme.rate;
+    if (programme.travel > 0 && since > stop) return 0;
     const double s = duration > 0 ? std::min(1.0, since / duration) : 1.0;
     return programme.rate * s * s * (3 - 2 * s);
 }

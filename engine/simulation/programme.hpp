@@ -10,6 +10,7 @@ struct Programme {
     double rate = 0;              // [m/s]
     double ramp = 0;              // travel over which the rate rises [m]
     double settle = 0;            // [s] at rest before the ramp
+    double travel = 0;            // after which it stops [m]; 0: it goes on
 };
 
 // Rest before the pull of a plate `width` wide [m] [s]: what a P-wave takes to cross its ground, which goes

@@ -5,6 +5,7 @@
 
 #include "mpm/time_step.hpp"
 #include "packings/samples.hpp"
+#include "scene/check_scene.hpp"
 #include "simulation/build_screening.hpp"
 #include "simulation/estimate.hpp"
 #include "stress/elastic.hpp"
@@ -15,7 +16,15 @@ namespace {
 
 // Room above the ground beyond the pull itself [m]: a plate width; of a ground without one a fifth of its
 // depth.
-double heave(const scene::Scene& s) { return s.anchor.present ? s.anchor.width : 0.2 * s.domain.depth; }
+double heave(const scene::Scene& s) { return s.loaded() ? s.anchor.width : 0.2 * s.domain.depth; }
+
+// How high bodies stand or rise.
+double highest(const scene::Scene& s) {
+    double y = s.domain.depth;
+    for (const scene::Body& body : s.bodies)
+        y = std::max(y, body.high(1) + (body.velocity[1] > 0 ? body.travel : 0));
+    return y;
+}
 
 bool horizontal(const scene::Scene& s) { return s.anchor.orientation == scene::Orientation::horizontal; }
 
@@ -31,11 +40,37 @@ mpm::RigidPlate plate_of(const scene::Scene& scene) {
     return plate;
 }
 
+// Whether a length ends nearer to a multiple of the cell than midway between two.
+bool ends_on_node(double length, double cell) {
+    const double cells = length / cell;
+    return std::fabs(cells - std::round(cells)) < 0.25;
+}
+
+// Whether the grid is moved by half a cell so that the ends of the faces lie between nodes.
+bool shift_x(const scene::Scene& s) {
+    if (s.domain.edges == scene::Edges::on_nodes || !s.loaded()) return false;
+    const scene::Body* body = s.loaded_body();
+    if (body) return body->moves_up_or_down() && ends_on_node(body->high(0), s.domain.cell);
+    return horizontal(s) && ends_on_node(0.5 * s.anchor.width, s.domain.cell);
+}
+// Upwards the domains of the points must still end on nodes, else the ground's own weight is not in exact
+// balance: with four points a cell.
+bool shift_y(const scene::Scene& s) {
+    if (s.domain.points_per_cell != 4 || s.domain.edges == scene::Edges::on_nodes || !s.loaded())
+        return false;
+    const scene::Body* body = s.loaded_body();
+    if (body)
+        return !body->moves_up_or_down() && body->low(1) > 0 && ends_on_node(body->low(1), s.domain.cell);
+    return !horizontal(s) && ends_on_node(s.domain.depth - embedment(s.anchor), s.domain.cell);
+}
+
 mpm::GridShape grid_shape(const scene::Scene& scene) {
     const double lift = scene.anchor.present ? scene.anchor.pull_to * scene.anchor.width : 0,
                  cell = scene.domain.cell;
-    return {0, 0, cell, static_cast<int>(std::lround(scene.domain.width / cell)),
-            static_cast<int>(std::ceil((scene.domain.depth + lift + heave(scene)) / cell))};
+    const auto across = static_cast<int>(std::lround(scene.domain.width / cell)),
+               up = static_cast<int>(std::ceil((highest(scene) + lift + heave(scene)) / cell));
+    const double dx = shift_x(scene) ? 0.5 * cell : 0, dy = shift_y(scene) ? 0.5 * cell : 0;
+    return {-dx, -dy, cell, across + (dx > 0 ? 1 : 0), up + (dy > 0 ? 1 : 0)};
 }
 
 std::unique_ptr<stress::Law> granular_law(const scene::Scene& scene, const packings::PreparedGround& ground,
@@ -73,20 +108,55 @@ GroundSpec ground_of(const scene::Scene& scene, const packings::PreparedGround& 
     out.extent = {0, 0, scene.domain.width, scene.domain.depth};
     out.points_per_cell = scene.domain.points_per_cell;
     out.density = ground.density;
+    out.columns_on_sides = scene::columns_on_sides(scene);
     return out;
+}
+
+mpm::RestPressure rest_on(const scene::Scene& scene, const packings::PreparedGround& ground,
+                          const mpm::RigidPlate& plate) {
+    return mpm::rest_pressure(scene.ground.surcharge, ground.density * scene.ground.gravity,
+                              scene.domain.depth - plate.y, scene.ground.k0);
 }
 
 // Pulled along its normal.
 BodySpec anchor_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
     const scene::Anchor& a = scene.anchor;
     BodySpec body{plate_of(scene), {}};
-    body.plate.rest = mpm::rest_pressure(scene.ground.surcharge, ground.density * scene.ground.gravity,
-                                         scene.domain.depth - body.plate.y, scene.ground.k0);
+    body.plate.rest = rest_on(scene, ground, body.plate);
     body.programme.direction = horizontal(scene) ? Vec2(0, 1) : Vec2(1, 0);
     body.programme.rate = a.pull_rate;
     body.programme.ramp = a.ramp * a.width;
     body.programme.settle = settling_time(a.width);
     return body;
+}
+
+// Of the scene, along x or y.
+BodySpec body_of(const scene::Scene& scene, const packings::PreparedGround& ground, const scene::Body& b) {
+    BodySpec body;
+    body.plate.x = b.centre[0], body.plate.y = b.centre[1];
+    body.plate.half_width = 0.5 * b.size[0], body.plate.half_height = 0.5 * b.size[1];
+    body.plate.round = b.shape == scene::Shape::circle;
+    body.plate.friction_angle = b.friction_angle;
+    body.plate.rest = rest_on(scene, ground, body.plate);
+    if (!b.moves()) return body;
+    const Vec2 v(b.velocity[0], b.velocity[1]);
+    body.programme.direction = v.normalized();
+    body.programme.rate = v.norm();
+    body.programme.ramp = b.ramp * b.travel;
+    if (&b != scene.loaded_body()) body.programme.travel = b.travel;  // the loaded one ends the run
+    body.programme.settle = settling_time(b.width());
+    return body;
+}
+
+// The loaded one first.
+std::vector<BodySpec> bodies_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
+    std::vector<BodySpec> out;
+    const scene::Body* loaded = scene.loaded_body();
+    if (scene.anchor.present) out.push_back(anchor_of(scene, ground));
+    if (loaded) out.push_back(body_of(scene, ground, *loaded));
+    for (const scene::Body& body : scene.bodies)
+        if (&body != loaded) out.push_back(body_of(scene, ground, body));
+    return out;
 }
 
 }  // namespace
@@ -95,7 +165,8 @@ double embedment(const scene::Anchor& anchor) { return anchor.embedment_ratio * 
 
 double unit_load(const scene::Scene& scene, const packings::PreparedGround& ground) {
     const double gamma = ground.density * scene.ground.gravity;
-    return scene.anchor.width * (gamma * embedment(scene.anchor) + scene.ground.surcharge);
+    const double deep = scene.anchor.present ? embedment(scene.anchor) : scene.anchor.width;
+    return scene.anchor.width * (gamma * deep + scene.ground.surcharge);
 }
 
 double equivalent_embedment(const scene::Scene& scene, const packings::PreparedGround& ground) {
@@ -103,26 +174,32 @@ double equivalent_embedment(const scene::Scene& scene, const packings::PreparedG
     return unit_load(scene, ground) / (ground.density * scene.ground.gravity * scene.anchor.width);
 }
 
-double whole_plate_factor(const scene::Scene& scene) { return horizontal(scene) ? 2 : 1; }
+double whole_plate_factor(const scene::Scene& scene) {
+    const scene::Body* body = scene.loaded_body();
+    return (body ? body->low(0) < 0 : horizontal(scene)) ? 2 : 1;
+}
 
 std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
     auto simulation = std::make_unique<Simulation>(spec_of(scene, ground));
-    if (scene.anchor.present) require_slow_plate(scene, simulation->state().settings.dt);
+    if (scene.loaded()) require_slow_plate(scene, simulation->state().settings.dt);
     return simulation;
 }
 
 double end_mark(const scene::Scene& scene) {
-    return scene.anchor.present ? scene.anchor.pull_to : scene.mpm.end_time;
+    return scene.loaded() ? scene.anchor.pull_to : scene.mpm.end_time;
 }
 
 Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
     Spec spec;
     spec.ground = ground_of(scene, ground);
     spec.grid = grid_shape(scene);
+    spec.boundaries.between_x = shift_x(scene), spec.boundaries.between_y = shift_y(scene);
     spec.gravity = Vec2(0, -scene.ground.gravity);
     spec.surcharge = scene.ground.surcharge;
     spec.scheme = scene.mpm;
-    if (scene.anchor.present) spec.bodies = {anchor_of(scene, ground)};
+    spec.bodies = bodies_of(scene, ground);
+    for (BodySpec& body : spec.bodies) body.plate.trimmed = scene.domain.edges == scene::Edges::between_nodes;
+    spec.loaded = scene.loaded();
     spec.width = scene.anchor.width;
     spec.law = law_of(scene, ground);
     return spec;

@@ -1,6 +1,7 @@
 #include "simulation/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -18,8 +19,14 @@ constexpr std::int64_t kCheckedSteps = 3;
 mpm::Points lay_out(const Spec& spec) {
     SG_EXPECT(spec.grid.cell > 0 && spec.ground.density > 0 && spec.law);
     const GroundSpec& g = spec.ground;
-    mpm::Layout layout{g.extent, spec.grid.cell, g.points_per_cell, g.density, g.cavities, g.inside};
-    for (const BodySpec& body : spec.bodies) layout.cavities.push_back(body.plate.rectangle());
+    mpm::Layout layout{g.extent,   spec.grid.cell, g.points_per_cell, g.density,
+                       g.cavities, g.inside,       g.columns_on_sides};
+    for (const BodySpec& body : spec.bodies)
+        if (!body.plate.round) layout.cavities.push_back(body.plate.rectangle());
+    layout.inside = [&](double x, double y) {
+        const auto on = [&](const BodySpec& b) { return b.plate.round && b.plate.distance(x, y) < 0; };
+        return !std::ranges::any_of(spec.bodies, on) && (!g.inside || g.inside(x, y));
+    };
     mpm::Points points = mpm::lay_out(layout);
     for (std::size_t p = 0; g.velocity && p < points.size(); ++p) {
         const Vec2 v = g.velocity(points.x[p], points.y[p]);
@@ -57,12 +64,16 @@ std::unique_ptr<graph::GroundState> state_of(const Spec& spec) {
     return state;
 }
 
-mpm::Face opposite(mpm::Face face) { return face == mpm::Face::top ? mpm::Face::bottom : mpm::Face::left; }
+mpm::Face leading_face_of(const Vec2& direction) {
+    if (std::fabs(direction.y()) >= std::fabs(direction.x()))
+        return direction.y() > 0 ? mpm::Face::top : mpm::Face::bottom;
+    return direction.x() > 0 ? mpm::Face::right : mpm::Face::left;
+}
 
 }  // namespace
 
 Simulation::Simulation(const Spec& spec)
-    : state_(state_of(spec)), graph_(graph::step_phases(*state_)), width_(spec.width) {
+    : state_(state_of(spec)), graph_(graph::step_phases(*state_)), width_(spec.width), loaded_(spec.loaded) {
     for (const BodySpec& body : spec.bodies) programmes_.push_back(body.programme);
     travel_.assign(programmes_.size(), 0.0);
 }
@@ -103,10 +114,14 @@ const mpm::Reaction& Simulation::reaction() const { return state_->bodies.front(
 
 double Simulation::load() const { return resistance(reaction().total()); }
 double Simulation::leading() const { return resistance(reaction().face(leading_face())); }
-double Simulation::trailing() const { return resistance(reaction().face(opposite(leading_face()))); }
+double Simulation::trailing() const {
+    if (state_->bodies.front().plate.round) return 0;
+    return resistance(reaction().face(leading_face_of(-programmes_.front().direction)));
+}
 
 mpm::Face Simulation::leading_face() const {
-    return programmes_.front().direction.y() > 0 ? mpm::Face::top : mpm::Face::right;
+    if (state_->bodies.front().plate.round) return mpm::Face::round;
+    return leading_face_of(programmes_.front().direction);
 }
 
 void Simulation::archive(Archive& a) {

@@ -18,7 +18,7 @@ class Simulation {
 
     double time() const { return time_; }  // [s]
     std::int64_t steps() const { return steps_; }
-    bool anchored() const { return !programmes_.empty(); }
+    bool anchored() const { return loaded_ && !programmes_.empty(); }
     // Of a body along its programme's direction [m].
     double travel(std::size_t body = 0) const { return travel_[body]; }
     // The anchor's travel in its widths; 0 in ground without one.
@@ -47,6 +47,7 @@ class Simulation {
     std::vector<Programme> programmes_;  // by body
     std::vector<double> travel_;         // by body [m]
     double width_, time_ = 0;
+    bool loaded_;
     std::int64_t steps_ = 0;
 };
 

@@ -20,6 +20,7 @@ struct GroundSpec {
     double density = 2000;              // in situ, rho_grain (1 - n) [kg/m3]
     // Where there is no ground, beside the bodies [m].
     std::vector<mpm::Rectangle> cavities;
+    bool columns_on_sides = false;  // of points, where the sides are mirror planes (mpm/layout.hpp)
     // Whether there is ground about a point of the rectangle; empty: everywhere.
     std::function<bool(double x, double y)> inside;
     // Velocity before the first step [m/s]; empty: at rest.
@@ -45,7 +46,8 @@ struct Spec {
     mpm::Scheme scheme;
     bool stable = true;            // false: courant may pass the stability limit, as a test of it wants
     std::vector<BodySpec> bodies;  // the first is the anchor, if there is one
-    double width = 1;              // B [m]: d/B is the anchor's travel over it
+    bool loaded = true;            // whether the load of the first body is what the run is about
+    double width = 1;              // B [m]: d/B is the first body's travel over it
     LawFactory law;                // in-situ stress included
 };
 

@@ -56,7 +56,7 @@ TEST(Geometry, VerticalPlateStandsInTheMiddleUnlessTold) {
 
 TEST(Geometry, PlateFacesLieBetweenThePoints) {
     expect_refused("[anchor]\nthickness = \"0.16 m\"", "2", "write \"0.2 m\"");
-    expect_refused("[anchor]\nwidth = \"1.1 m\"", "2", "write \"1.2 m\"");
+    expect_refused("[anchor]\nwidth = \"1.14 m\"", "2", "write \"1.1 m\"");
     expect_refused("[anchor]\nembedment_ratio = 2.33", "2", "write 2.3");
     expect_refused("[domain]\nwidth = \"8 m\"\n[anchor]\norientation = \"vertical\"\nposition = \"4 m\"", "5",
                    "between the points");

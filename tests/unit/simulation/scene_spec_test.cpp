@@ -95,7 +95,11 @@ TEST(SceneSpec, GravitySurchargeAndSchemeAreTheScenes) {
     EXPECT_EQ(made.scheme.damping, 0.07);
     EXPECT_EQ(made.width, 0.6);
     EXPECT_EQ(made.ground.density, kDensity);
-    EXPECT_EQ(made.grid.nx, 30);
+    EXPECT_EQ(made.grid.nx, 31) << "half a cell more on either side";
+    EXPECT_NEAR(made.grid.x0, -0.05, 1e-15);
+    EXPECT_TRUE(made.boundaries.between_x);
+    s.domain.edges = scene::Edges::on_nodes;
+    EXPECT_EQ(spec_of(s, ground_of(s)).grid.nx, 30);
     EXPECT_GE(made.grid.ny * 0.1, 2 + 0.4 * 0.6) << "room for the pull";
 }
 

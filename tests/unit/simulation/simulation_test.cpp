@@ -66,11 +66,18 @@ TEST(Simulation, LeavesOutTheGroundWhereABodyStandsAndDrivesIt) {
     EXPECT_NEAR(simulation.state().bodies.front().plate.x, 0.5 + 3 * dt, 1e-15);
 }
 
-// Two need a field each on the grid.
-TEST(Simulation, RefusesASecondBody) {
+TEST(Simulation, DrivesEveryBodyByItsOwnProgramme) {
     Spec spec = block();
     spec.bodies = {body_at(0.65), body_at(0.25)};
-    EXPECT_THROW(Simulation{spec}, std::logic_error);
+    spec.bodies[1].programme.direction = Vec2(1, 0);
+    Simulation simulation(spec);
+    simulation.step();
+    const auto& bodies = simulation.state().bodies;
+    EXPECT_GT(bodies[0].plate.y, 0.65);
+    EXPECT_EQ(bodies[0].plate.x, 0.5);
+    EXPECT_GT(bodies[1].plate.x, 0.5);
+    EXPECT_EQ(bodies[1].plate.y, 0.25);
+    EXPECT_NEAR(simulation.travel(1), bodies[1].plate.x - 0.5, 1e-15);
 }
 
 TEST(Simulation, SaysWhichPointLeftTheGrid) {
