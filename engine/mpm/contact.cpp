@@ -74,7 +74,7 @@ void add_contact(const RigidPlate& plate, const Points& points, const Order& ord
         if (contact_point.face == Face::none) continue;
         contact_point.penetration -= contact.sunk[p];
         if (plate.round && contact_point.penetration <= 0) {
-            remember(contact, p, Face::none);
+            contact.slip[p] = 0.0;  // what it was bedded by stays
             continue;
         }
         const Vec2 f = press(plate, contact_point, contact.slip[p], grid);

@@ -27,8 +27,9 @@ void add_row(const Layout& layout, Points& points, double y, std::int32_t row) {
     const double first = layout.columns_on_sides ? 0 : 0.5;
     for (long k = 0; k < columns; ++k) {
         const double x = g.x0 + (static_cast<double>(k) + first) * spacing;
-        if (empty_at(layout, x, y)) continue;
-        if (row == 0 && !covered(layout, x, y + 2 * points.half))
+        const double inside = std::clamp(x, g.x0 + 0.5 * points.half, g.x1 - 0.5 * points.half);
+        if (empty_at(layout, inside, y)) continue;
+        if (row == 0 && !covered(layout, inside, y + 2 * points.half))
             points.surface.push_back(static_cast<std::int32_t>(points.x.size()));
         points.x.push_back(x);
         points.y.push_back(y);

@@ -70,9 +70,8 @@ Lines caveats(const scene::Scene& s, const packings::PreparedGround& ground, con
         (horizontal ? horizontal_room : vertical_room)(s, ground.friction.mean, out);
     const double cells = s.anchor.width / s.domain.cell;
     add(out, cells < kFewestCells - kSlack,
-        fmt::format("{:.3g} cells a plate width: with fewer than {:g} the load comes out 7 to 25 % high; "
-                    "take domain.cell "
-                    "= {:.3g} m or less",
+        fmt::format("{:.3g} cells a plate width: bands and loads past the peak are coarse with fewer than "
+                    "{:g}; take domain.cell = {:.3g} m or less",
                     cells, kFewestCells, s.anchor.width / kFewestCells));
     const double rate = rate_share(s, ground, simulation);
     add(out, rate > kSuspectRate,
