@@ -129,7 +129,7 @@ void constrain(Field& field, const GridShape& shape, const Boundaries& boundarie
 }
 
 void add_surcharge(double q, const Points& points, Grid& grid) {  // docs/how_it_works.md (eq. 4)
-    SG_EXPECT(all_below(points.surface, points.size()));  // a pull where q < 0
+    SG_EXPECT(all_below(points.surface, points.size()));          // a pull where q < 0
     const GridShape& s = grid.shape;
     const double half = points.half;
     for (const auto id : points.surface) {
