@@ -21,6 +21,7 @@ namespace sandgraph::results {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kSlow = 0.02;        // wave pressure over a body's load
 constexpr double kQuasiStatic = 0.1;  // kinetic energy over the plate's work
 
 struct Curve {
@@ -83,6 +84,15 @@ void add_breakout(const simulation::RunSession& session, const scene::Scene& sce
     }
 }
 
+void warn_of_inertia(io::Summary& s) {
+    if (s.kinetic_to_strain_energy_max > kQuasiStatic)
+        s.warnings.push_back(
+            fmt::format("kinetic energy reached {:.2g} of the plate's work: too fast to be quasi-static (10 "
+                        "% is the usual limit); "
+                        "lower anchor.pull_rate",
+                        s.kinetic_to_strain_energy_max));
+}
+
 void add_exact(const Curve& curve, const scene::Scene& scene, const packings::PreparedGround& ground,
                io::Summary& s) {
     const auto exact = exact_load(scene, ground.density);
@@ -103,6 +113,15 @@ void add_body_load(const simulation::RunSession& session, const scene::Scene& sc
         if (k == 0 || curve.load[k] > s.breakout_load)
             s.breakout_load = curve.load[k], s.breakout_d_over_B = curve.d[k];
     s.late_load = late_load(curve.d, curve.load);
+    s.warnings = simulation::caveats(scene, ground, session.simulation());
+    warn_of_inertia(s);
+    const double wave = simulation::wave_load(scene, ground, session.simulation()) / std::fabs(s.late_load);
+    s.extra.emplace_back("wave_load_share", wave);
+    if (wave > kSlow)
+        s.warnings.push_back(fmt::format(
+            "the body is fast: the wave pressure rho c v is {:.2g} of its late load, and inertia may "
+            "carry as much of it; take a smaller velocity",
+            wave));
     add_exact(curve, scene, ground, s);
 }
 
@@ -111,12 +130,7 @@ void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
     s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
     s.extra.emplace_back("rate_pressure_ratio", simulation::rate_share(scene, ground, session.simulation()));
     s.warnings = simulation::caveats(scene, ground, session.simulation());
-    if (s.kinetic_to_strain_energy_max > kQuasiStatic)
-        s.warnings.push_back(
-            fmt::format("kinetic energy reached {:.2g} of the plate's work: too fast to be quasi-static (10 "
-                        "% is the usual limit); "
-                        "lower anchor.pull_rate",
-                        s.kinetic_to_strain_energy_max));
+    warn_of_inertia(s);
     add_breakout(session, scene, ground, s);
     add_formula(scene, ground, s);
     add_exact(curve_of(session.recorders().record()), scene, ground, s);

@@ -130,8 +130,8 @@ class Checks {
         for (std::size_t k = 0; k < bodies_.size(); ++k) {
             inside(bodies_[k]);
             between_points(bodies_[k]);
-            for (std::size_t other = 0; other < k; ++other) apart(bodies_[k], bodies_[other]);
-            if (anchor_.present) apart(bodies_[k], anchor_as_body());
+            for (std::size_t other = 0; other < k; ++other) alongside(bodies_[k], bodies_[other]);
+            if (anchor_.present) alongside(bodies_[k], anchor_as_body());
         }
     }
 
@@ -165,8 +165,10 @@ class Checks {
         if (b.shape == Shape::circle) return wide_enough(b);
         const double spacing = point_spacing(domain_);
         const double off_x = columns_on_sides_ ? 0.5 * spacing : 0;
-        for (const auto& [at, offset] : {std::pair{b.high(0), off_x}, {b.low(1), 0.0}, {b.high(1), 0.0}}) {
-            if (std::abs(at - domain_.width) < slack && at == b.high(0)) continue;  // on the side itself
+        for (const auto& [at, offset] :
+             {std::pair{b.low(0), off_x}, {b.high(0), off_x}, {b.low(1), 0.0}, {b.high(1), 0.0}}) {
+            const bool on_side = std::abs(at) < slack || std::abs(at - domain_.width) < slack;
+            if (on_side && offset > 0) continue;
             const double count = (at - offset) / spacing;
             if (std::abs(count - std::round(count)) > 1e-6)
                 refuse_body(b, fmt::format("with a face at {:.6g} m", at),
@@ -187,6 +189,18 @@ class Checks {
                     fmt::format("it overlaps the body about ({:.6g}, {:.6g}) m", b.centre[0], b.centre[1]),
                     "move them apart");
     }
+    // The nodes about a thin body keep two velocities, not three.
+    void alongside(const Body& a, const Body& b) const {
+        apart(a, b);
+        if (!thin(a) || !thin(b)) return;
+        const double room = 4 * domain_.cell;
+        for (std::size_t k = 0; k < 2; ++k)
+            if (a.low(k) >= b.high(k) + room - slack || b.low(k) >= a.high(k) + room - slack) return;
+        refuse_body(a, fmt::format("about ({:.6g}, {:.6g}) m", a.centre[0], a.centre[1]),
+                    "another body thinner than two cells is less than four cells away",
+                    "move them apart, make one thicker, or take a smaller domain.cell");
+    }
+    bool thin(const Body& b) const { return std::min(b.size[0], b.size[1]) < 2 * domain_.cell * (1 - 1e-9); }
     Body anchor_as_body() const {
         const bool lying = anchor_.orientation == Orientation::horizontal;
         const double H = anchor_.embedment_ratio * anchor_.width;

@@ -53,26 +53,36 @@ void vertical_room(const scene::Scene& s, double phi, Lines& out) {
                     s.anchor.position, behind, behind + half));
 }
 
-}  // namespace
-
-double rate_share(const scene::Scene& scene, const packings::PreparedGround& ground,
-                  const Simulation& simulation) {
-    const double inertia = ground.density * scene.mpm.mass_scaling;
-    const double impedance = std::sqrt(inertia * simulation.state().law->p_wave_modulus());
-    return impedance * scene.anchor.pull_rate * scene.anchor.width / unit_load(scene, ground);
-}
-
-Lines caveats(const scene::Scene& s, const packings::PreparedGround& ground, const Simulation& simulation) {
-    Lines out;
-    if (!s.anchor.present) return out;
-    const bool horizontal = s.anchor.orientation == scene::Orientation::horizontal;
-    if (ground.friction.mean > 0)
-        (horizontal ? horizontal_room : vertical_room)(s, ground.friction.mean, out);
+void add_cells(const scene::Scene& s, Lines& out) {
     const double cells = s.anchor.width / s.domain.cell;
     add(out, cells < kFewestCells - kSlack,
         fmt::format("{:.3g} cells a plate width: bands and loads past the peak are coarse with fewer than "
                     "{:g}; take domain.cell = {:.3g} m or less",
                     cells, kFewestCells, s.anchor.width / kFewestCells));
+}
+
+}  // namespace
+
+double wave_load(const scene::Scene& scene, const packings::PreparedGround& ground,
+                 const Simulation& simulation) {
+    const double inertia = ground.density * scene.mpm.mass_scaling;
+    const double impedance = std::sqrt(inertia * simulation.state().law->p_wave_modulus());
+    return impedance * scene.anchor.pull_rate * scene.anchor.width;
+}
+
+double rate_share(const scene::Scene& scene, const packings::PreparedGround& ground,
+                  const Simulation& simulation) {
+    return wave_load(scene, ground, simulation) / unit_load(scene, ground);
+}
+
+Lines caveats(const scene::Scene& s, const packings::PreparedGround& ground, const Simulation& simulation) {
+    Lines out;
+    if (!s.loaded()) return out;
+    add_cells(s, out);
+    if (!s.anchor.present) return out;
+    const bool horizontal = s.anchor.orientation == scene::Orientation::horizontal;
+    if (ground.friction.mean > 0)
+        (horizontal ? horizontal_room : vertical_room)(s, ground.friction.mean, out);
     const double rate = rate_share(s, ground, simulation);
     add(out, rate > kSuspectRate,
         fmt::format("anchor.pull_rate = {:.3g} m/s is fast here: the wave pressure rho c v is {:.2g} times "

@@ -17,8 +17,12 @@ inline constexpr double forbidding_rate = 5;
 double rate_share(const scene::Scene& scene, const packings::PreparedGround& ground,
                   const Simulation& simulation);
 
+// rho c v sqrt(mass scaling) B [N/m]: the load by which that wave may be carried.
+double wave_load(const scene::Scene& scene, const packings::PreparedGround& ground,
+                 const Simulation& simulation);
+
 // One line each: a domain narrower than the failure, cells too coarse, a plate too fast, packings too small.
-// Empty for a sound scene, and without an anchor.
+// Empty for a sound scene; of a body without an anchor the cells alone.
 std::vector<std::string> caveats(const scene::Scene& scene, const packings::PreparedGround& ground,
                                  const Simulation& simulation);
 

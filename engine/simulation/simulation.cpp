@@ -78,15 +78,20 @@ Simulation::Simulation(const Spec& spec)
     travel_.assign(programmes_.size(), 0.0);
 }
 
-void Simulation::step() {
+void Simulation::drive() {
     const double middle = time_ + 0.5 * state_->settings.dt;
     for (std::size_t k = 0; k < programmes_.size(); ++k)
         state_->bodies[k].plate.velocity = rate_at(programmes_[k], middle) * programmes_[k].direction;
+}
+
+void Simulation::step() {
+    drive();
     advance();
 }
 
 void Simulation::step(const Vec2& velocity) {
-    for (graph::Body& body : state_->bodies) body.plate.velocity = velocity;
+    drive();
+    if (!state_->bodies.empty()) state_->bodies.front().plate.velocity = velocity;
     advance();
 }
 

@@ -13,7 +13,7 @@ class Simulation {
 
     // One MPM step, the bodies driven by their programmes. std::runtime_error when a point left the grid.
     void step();
-    // The same with the body at `velocity` [m/s], whatever its programme says.
+    // The same with the first body at `velocity` [m/s], whatever its programme says.
     void step(const Vec2& velocity);
 
     double time() const { return time_; }  // [s]
@@ -38,6 +38,7 @@ class Simulation {
     void archive(Archive& a);
 
   private:
+    void drive();
     void advance();
     const mpm::Reaction& reaction() const;
     double resistance(const Vec2& force) const;

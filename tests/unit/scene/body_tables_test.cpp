@@ -37,6 +37,11 @@ TEST(Bodies, ThatOverlapOrLeaveTheGroundAreRefused) {
     expect_refused(body("centre = [\"2 m\", \"0.1 m\"]\nsize = [\"1 m\", \"0.4 m\"]\n"), "base");
     expect_refused(body("centre = [\"2 m\", \"3.03 m\"]\nsize = [\"1 m\", \"0.4 m\"]\n"),
                    "between the points");
+    expect_refused(body("centre = [\"2 m\", \"3 m\"]\nsize = [\"1.03 m\", \"0.4 m\"]\n"),
+                   "between the points");
+    const std::string thin = "centre = [\"2 m\", \"3.05 m\"]\nsize = [\"1 m\", \"0.1 m\"]\n";
+    expect_refused(body(thin) + "[[body]]\ncentre = [\"2 m\", \"3.35 m\"]\nsize = [\"1 m\", \"0.1 m\"]\n",
+                   "thinner than two cells");
     expect_refused(body("shape = \"circle\"\ncentre = [\"2 m\", \"3 m\"]\nradius = \"0.1 m\"\n"),
                    "no circle");
 }

@@ -34,7 +34,8 @@ TEST(SceneHash, DiffersWithAnyValueThatMatters) {
 }
 
 TEST(SceneHash, KeepsItsValueAcrossVersions) {
-    EXPECT_EQ(canonical_text(parse_scene("", "s.toml")).rfind("mode=\"full\"\nbody=\ndomain.width=6\n", 0), 0u);
+    EXPECT_EQ(canonical_text(parse_scene("", "s.toml")).rfind("mode=\"full\"\nbody=\ndomain.width=6\n", 0),
+              0u);
     EXPECT_EQ(hash64("mode=\"full\"\ndomain.width=6\n"), 18182302445683398839u);
     // Another value here means that checkpoints of earlier versions are refused and their packings made anew:
     // store it only if a key that changes results has come or gone.

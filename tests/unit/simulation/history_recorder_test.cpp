@@ -15,34 +15,22 @@
 #include "support/paths.hpp"
 #include "surrogate/load_surrogate.hpp"
 #include "tests/unit/io/scratch.hpp"
+#include "tests/unit/simulation/grain_scene.hpp"
 
 namespace sandgraph::simulation {
 namespace {
 
-constexpr const char* kScene = R"(
-[domain]
-width = "2 m"
-depth = "3 m"
-cell = "0.25 m"
-[anchor]
-embedment_ratio = 1
-thickness = "0.25 m"
-pull_to = 0.03
-[grains]
+const std::string kScene = test::grain_scene(3, R"([grains]
 count = 60
 [output]
 history = true
 history_points = 10
-)";
+)");
 
 scene::Scene small_scene() { return scene::parse_scene(kScene, "s.toml", {}); }
 
 const packings::PreparedGround& ground() {
-    static const packings::PreparedGround prepared = [] {
-        const test::Scratch cache;
-        setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
-        return packings::prepare_ground(small_scene());
-    }();
+    static const packings::PreparedGround prepared = test::freshly_prepared(small_scene());
     return prepared;
 }
 

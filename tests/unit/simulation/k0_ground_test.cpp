@@ -6,38 +6,25 @@
 #include "base/error.hpp"
 #include "scene/read_scene.hpp"
 #include "simulation/scene_spec.hpp"
-#include "tests/unit/io/scratch.hpp"
+#include "tests/unit/simulation/grain_scene.hpp"
 
 // Ground of grains that are consolidated with less horizontal than vertical stress.
 namespace sandgraph::simulation {
 namespace {
 
 constexpr double kK0 = 0.5;
-constexpr const char* kScene = R"(
-[domain]
-width = "2 m"
-depth = "2.5 m"
-cell = "0.25 m"
-[anchor]
-embedment_ratio = 1
-thickness = "0.25 m"
-pull_to = 0.03
-[ground]
+const std::string kScene = test::grain_scene(2.5, R"([ground]
 k0 = 0.5
 [grains]
 count = 60
-)";
+)");
 
 scene::Scene scene(const std::vector<std::string>& set = {}) {
     return scene::parse_scene(kScene, "s.toml", set);
 }
 
 const packings::PreparedGround& ground() {
-    static const packings::PreparedGround prepared = [] {
-        const test::Scratch cache;
-        setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
-        return packings::prepare_ground(scene());
-    }();
+    static const packings::PreparedGround prepared = test::freshly_prepared(scene());
     return prepared;
 }
 

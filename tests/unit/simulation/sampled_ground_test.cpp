@@ -11,25 +11,16 @@
 #include "support/paths.hpp"
 #include "surrogate/load_surrogate.hpp"
 #include "tests/support/memory_archive.hpp"
-#include "tests/unit/io/scratch.hpp"
+#include "tests/unit/simulation/grain_scene.hpp"
 
 // Ground whose points are dealt from three base packings.
 namespace sandgraph::simulation {
 namespace {
 
-constexpr const char* kScene = R"(
-[domain]
-width = "2 m"
-depth = "2.5 m"
-cell = "0.25 m"
-[anchor]
-embedment_ratio = 1
-thickness = "0.25 m"
-pull_to = 0.03
-[grains]
+const std::string kScene = test::grain_scene(2.5, R"([grains]
 count = 40
 samples = 3
-)";
+)");
 constexpr std::size_t kRows = 10, kSamples = 3;
 
 scene::Scene scene(const std::vector<std::string>& set = {}) {
@@ -38,9 +29,7 @@ scene::Scene scene(const std::vector<std::string>& set = {}) {
 
 const packings::PreparedGround& ground() {
     static const packings::PreparedGround prepared = [] {
-        const test::Scratch cache;
-        setenv("SANDGRAPH_CACHE", cache.path().c_str(), 1);
-        packings::PreparedGround made = packings::prepare_ground(scene());
+        packings::PreparedGround made = test::freshly_prepared(scene());
         made.surrogate =
             surrogate::load_surrogate(sandgraph::test::source_file("/configs/models/table1.surrogate.h5"));
         return made;

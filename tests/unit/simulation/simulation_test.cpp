@@ -78,6 +78,10 @@ TEST(Simulation, DrivesEveryBodyByItsOwnProgramme) {
     EXPECT_GT(bodies[1].plate.x, 0.5);
     EXPECT_EQ(bodies[1].plate.y, 0.25);
     EXPECT_NEAR(simulation.travel(1), bodies[1].plate.x - 0.5, 1e-15);
+    const double x = bodies[1].plate.x;
+    simulation.step(Vec2(0, 0));  // the first at rest, the second as its programme says
+    EXPECT_EQ(bodies[0].plate.velocity, Vec2(0, 0));
+    EXPECT_GT(bodies[1].plate.x, x);
 }
 
 TEST(Simulation, SaysWhichPointLeftTheGrid) {
