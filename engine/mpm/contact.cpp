@@ -14,12 +14,16 @@ Vec2 tangent(const ContactPoint& t) {
     return horizontal(t.face) ? Vec2(1, 0) : Vec2(0, 1);
 }
 
-// A point that changed its face, or that was in no contact, has no history.
-void remember(Contact& contact, std::size_t p, Face face) {
-    if (contact.face[p] == static_cast<std::uint8_t>(face)) return;
-    contact.face[p] = static_cast<std::uint8_t>(face);
+// A point that changed its face, or that was in no contact, has no history. One that turns round the end of a
+// face, where it has sunk, is as deep under the next: it is not thrown out of it.
+void remember(Contact& contact, const ContactPoint& t, bool trimmed) {
+    const auto p = static_cast<std::size_t>(t.point);
+    const auto before = static_cast<Face>(contact.face[p]);
+    if (before == t.face) return;
+    const bool turned = trimmed && before != Face::none && t.face != Face::none;
+    contact.face[p] = static_cast<std::uint8_t>(t.face);
     contact.slip[p] = 0;
-    contact.sunk[p] = 0;
+    contact.sunk[p] = turned ? std::max(t.penetration, 0.0) : 0;
 }
 
 // Of the pressure at an end of a face what all nodes carry: the whole at rest, nothing once it has doubled or
@@ -70,7 +74,7 @@ void add_contact(const RigidPlate& plate, const Points& points, const Order& ord
     for (const auto id : order.near) {
         ContactPoint contact_point = find_contact_point(plate, points, id, grid);
         const auto p = static_cast<std::size_t>(id);
-        remember(contact, p, contact_point.face);
+        remember(contact, contact_point, plate.trimmed);
         if (contact_point.face == Face::none) continue;
         contact_point.penetration -= contact.sunk[p];
         if (plate.round && contact_point.penetration <= 0) {

@@ -72,6 +72,26 @@ TEST(Contact, UniformStressIsInExactEquilibriumWithThePlateAtAnyPhaseOfTheGrid) 
                 }
 }
 
+// A point that has sunk past the end of the top face and comes to lie nearer to the side is as deep under
+// that: pressed out at once it would fly off.
+TEST(Contact, APointThatTurnsRoundAnEndIsNotThrownOut) {
+    Embedded e(0, 0.5);
+    e.load();
+    ASSERT_FALSE(e.contact.points.empty());
+    const Rectangle body = e.plate.rectangle();
+    const auto p = static_cast<std::size_t>(e.contact.points.front().point);
+    const double half = e.points.half;
+    e.contact.face[p] = static_cast<std::uint8_t>(Face::top);
+    e.points.x[p] = body.x1 + half - 0.3 * cell, e.points.y[p] = body.y1 + half - 0.4 * cell;
+    e.order.stale = true;
+    const double before = e.contact.reaction.face(Face::right).norm();
+    e.load();
+    EXPECT_EQ(e.contact.face[p], static_cast<std::uint8_t>(Face::right));
+    EXPECT_GT(e.contact.sunk[p], 0.29 * cell);
+    const double thrown = e.plate.stiffness * 0.3 * cell * cell;  // a third of a cell's pressure
+    EXPECT_LT(e.contact.reaction.face(Face::right).norm() - before, 0.01 * thrown);
+}
+
 TEST(Contact, LoadsExactlyThePlatesWidth) {
     Embedded e(0.37, 0.21);
     for (double& x : e.points.x) x += 0.043;  // points now straddle the plate's ends
