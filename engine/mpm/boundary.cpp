@@ -129,15 +129,16 @@ void constrain(Field& field, const GridShape& shape, const Boundaries& boundarie
 }
 
 void add_surcharge(double q, const Points& points, Grid& grid) {  // docs/how_it_works.md (eq. 4)
-    SG_EXPECT(all_below(points.surface, points.size()));          // a pull where q < 0
+    SG_EXPECT(all_below(points.surface, points.size()) &&
+              points.bare.size() == points.surface.size());  // a pull where q < 0
     const GridShape& s = grid.shape;
     const double half = points.half;
-    for (const auto id : points.surface) {
-        const auto p = static_cast<std::size_t>(id);
+    for (std::size_t k = 0; k < points.surface.size(); ++k) {
+        const auto p = static_cast<std::size_t>(points.surface[k]);
         const double x = points.x[p] - s.x0, y = points.y[p] - s.y0;
         const Stencil top = stencil(grid, average(x - half, x + half, s.cell), at(y + half, s.cell),
                                     points.x[p], points.y[p]);
-        spread(grid, top, 0, -q * 2 * half * share(points, p));
+        spread(grid, top, 0, -q * 2 * half * share(points, p) * points.bare[k]);
     }
 }
 

@@ -80,7 +80,9 @@ void set_stencils(ContactPoint& c, const Rectangle& body, const Rectangle& domai
     const double edge_y = c.face == Face::bottom ? domain.y1 : domain.y0;
     Weights x = flat ? average(ox.low - s.x0, ox.high - s.x0, s.cell) : at(edge_x - s.x0, s.cell);
     Weights y = flat ? at(edge_y - s.y0, s.cell) : average(oy.low - s.y0, oy.high - s.y0, s.cell);
-    c.whole = stencil(grid, x, y, centre.x(), centre.y());
+    const Weights all_x = flat ? average(domain.x0 - s.x0, domain.x1 - s.x0, s.cell) : x;
+    const Weights all_y = flat ? y : average(domain.y0 - s.y0, domain.y1 - s.y0, s.cell);
+    c.whole = stencil(grid, all_x, all_y, centre.x(), centre.y());
     c.at_end = trimmed && (flat ? trim(x, body.x0 - s.x0, body.x1 - s.x0, s.cell)
                                 : trim(y, body.y0 - s.y0, body.y1 - s.y0, s.cell));
     c.stencil = stencil(grid, x, y, centre.x(), centre.y());
@@ -131,7 +133,9 @@ ContactPoint find_contact_point(const RigidPlate& plate, const Points& points, s
     if (plate.round) return touch_circle(plate, points, id, grid);
     const auto p = static_cast<std::size_t>(id);
     const double x = points.x[p], y = points.y[p], half = points.half;
-    const Rectangle body = plate.rectangle(), domain = {x - half, y - half, x + half, y + half};
+    const std::int32_t cut = points.cut[p];
+    const Rectangle body = plate.rectangle(),
+                    domain = {cut < 0 ? x : x - half, y - half, cut > 0 ? x : x + half, y + half};
     const Interval ox = overlap(domain.x0, domain.x1, body.x0, body.x1);
     const Interval oy = overlap(domain.y0, domain.y1, body.y0, body.y1);
     ContactPoint best{.point = id};
@@ -144,7 +148,7 @@ ContactPoint find_contact_point(const RigidPlate& plate, const Points& points, s
         best = {.point = id,
                 .face = face,
                 .penetration = depth,
-                .length = length * share(points, p),
+                .length = length * (cut != 0 ? 1 : share(points, p)),
                 .rest = rest};
     }
     if (best.face == Face::none) return best;

@@ -22,7 +22,9 @@ struct ContactPoint {
     // through the ground. The ground's velocity then falls from the plate's to its own between the last node
     // beside the face and the first beyond, on the mean at the end itself where that is midway. With all
     // nodes of the hat functions it falls over the cell beyond: a plate as wide as B + a cell. The pressure
-    // at rest acts on all of them, as that of the ground beyond does (contact.cpp, at_rest).
+    // at rest acts on all of them, as that of the ground beyond does (contact.cpp, at_rest), over the whole
+    // edge of a domain of which the end halves the length: its other half presses a half point, spread as
+    // widely.
     bool at_end = false;
     double rest = 0;     // penetration of the rest pressure [m]
     Stencil whole, own;  // if at_end: all nodes at the contact, and those of the point itself

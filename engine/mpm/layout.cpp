@@ -8,16 +8,39 @@
 namespace sandgraph::mpm {
 namespace {
 
-bool empty_at(const Layout& layout, double x, double y) {
-    if (layout.inside && !layout.inside(x, y)) return true;
+bool in_cavity(const Layout& layout, double x, double y) {
     return std::any_of(layout.cavities.begin(), layout.cavities.end(),
                        [&](const Rectangle& r) { return r.contains(x, y); });
 }
 
-// Whether a body stands on the surface there: it takes the place of the surcharge.
-bool covered(const Layout& layout, double x, double above) {
-    return std::any_of(layout.cavities.begin(), layout.cavities.end(),
-                       [&](const Rectangle& r) { return r.contains(x, above); });
+// Whether the halves of a point's domain left and right of its centre lie in bodies. Of a point on a side of
+// the ground both are those of its half inside.
+struct Halves {
+    bool left, right;
+};
+
+Halves halves_in_cavities(const Layout& layout, double x, double y, double half) {
+    const Rectangle& g = layout.ground;
+    const auto inside = [&](double at) { return std::clamp(at, g.x0 + 0.25 * half, g.x1 - 0.25 * half); };
+    return {in_cavity(layout, inside(x - 0.5 * half), y), in_cavity(layout, inside(x + 0.5 * half), y)};
+}
+
+bool empty_at(const Layout& layout, double x, double y, double half) {
+    if (layout.inside && !layout.inside(x, y)) return true;
+    const Halves in = halves_in_cavities(layout, x, y, half);
+    return in.left && in.right;
+}
+
+// Which half of the domain a body's end takes away: Points::cut.
+std::int32_t cut_at(const Layout& layout, double x, double y, double half) {
+    const Halves in = halves_in_cavities(layout, x, y, half);
+    return in.right - in.left;
+}
+
+// Share of a surface point's edge on which no body stands, to take the place of the surcharge.
+double bare_at(const Layout& layout, double x, double above, double half) {
+    const Halves covered = halves_in_cavities(layout, x, above, half);
+    return 1 - 0.5 * covered.left - 0.5 * covered.right;
 }
 
 void add_row(const Layout& layout, Points& points, double y, std::int32_t row) {
@@ -27,10 +50,12 @@ void add_row(const Layout& layout, Points& points, double y, std::int32_t row) {
     const double first = layout.columns_on_sides ? 0 : 0.5;
     for (long k = 0; k < columns; ++k) {
         const double x = g.x0 + (static_cast<double>(k) + first) * spacing;
-        const double inside = std::clamp(x, g.x0 + 0.5 * points.half, g.x1 - 0.5 * points.half);
-        if (empty_at(layout, inside, y)) continue;
-        if (row == 0 && !covered(layout, inside, y + 2 * points.half))
+        if (empty_at(layout, x, y, points.half)) continue;
+        const double bare = row == 0 ? bare_at(layout, x, y + 2 * points.half, points.half) : 0;
+        if (bare > 0) {
             points.surface.push_back(static_cast<std::int32_t>(points.x.size()));
+            points.bare.push_back(bare);
+        }
         points.x.push_back(x);
         points.y.push_back(y);
         points.row.push_back(row);
@@ -55,7 +80,8 @@ Points lay_out(const Layout& layout) {
         const double x = points.x[p];
         const bool on_side = layout.columns_on_sides && (x - layout.ground.x0 < 0.5 * points.half ||
                                                          layout.ground.x1 - x < 0.5 * points.half);
-        points.volume0[p] = (on_side ? 0.5 : 1) * spacing * spacing;
+        points.cut[p] = cut_at(layout, x, points.y[p], points.half);
+        points.volume0[p] = (on_side || points.cut[p] != 0 ? 0.5 : 1) * spacing * spacing;
         points.mass[p] = layout.density * points.volume0[p];
     }
     points.volume = points.volume0;

@@ -44,6 +44,7 @@ void resize(Points& points, std::size_t count) {
     points.F_inc.resize(count, Mat2::Identity());
     points.stress.resize(count);
     points.row.resize(count);
+    points.cut.resize(count);
     SG_ENSURE(points.size() == count && points.F.size() == count && points.stress.size() == count);
 }
 
@@ -63,6 +64,7 @@ void archive(Archive& a, Points& points) {
     archive(a, "points/stress", points.stress);
     confirm(a, "points/row", points.row);
     confirm(a, "points/surface", points.surface);
+    confirm(a, "points/cut", points.cut);
 }
 
 }  // namespace sandgraph::mpm

@@ -22,11 +22,16 @@ struct Points {
         stress;  // Cauchy [Pa], tension positive; written by the material law between two steps
     std::vector<std::int32_t> row;      // depth row, 0 at the surface
     std::vector<std::int32_t> surface;  // ids of the points that carry the surcharge
+    std::vector<double> bare;           // of each of them: the share of its edge that no body stands on
+    // Which half of the domain is no ground from the start since a body's end cuts it: -1 left, 1 right, 0
+    // none. Those are half points.
+    std::vector<std::int32_t> cut;
 
     std::size_t size() const { return x.size(); }
 };
 
-// Of a point's domain, what lies in the model: 1, or a half of one that stands on a mirror plane.
+// Of a point's domain, what is ground of the model: 1, or a half of one that stands on a mirror plane or at
+// the end of a body.
 inline double share(const Points& points, std::size_t p) {
     return points.volume0[p] / (4 * points.half * points.half);
 }

@@ -11,7 +11,7 @@
 #include "base/console.hpp"
 #include "base/error.hpp"
 #include "packings/sand_sample.hpp"
-#include "scene/check_scene.hpp"
+#include "scene/alignment.hpp"
 
 namespace sandgraph::packings {
 namespace {

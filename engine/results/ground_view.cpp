@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "results/finished_run.hpp"
-#include "scene/check_scene.hpp"
+#include "scene/alignment.hpp"
 
 namespace sandgraph::results {
 

@@ -1,4 +1,5 @@
 #include "scene/check_scene.hpp"
+#include "scene/alignment.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,7 @@ class Checks {
           regions_(scene.regions),
           bodies_(scene.bodies),
           columns_on_sides_(columns_on_sides(scene)),
+          halves_points_(halves_points(scene)),
           keys_(keys),
           file_(scene.file) {}
 
@@ -161,20 +163,22 @@ class Checks {
             refuse_body(b, fmt::format("from y = {:.6g} m", b.low(1)), "it stands above the ground",
                         fmt::format("the surface is y = {:.6g} m", domain_.depth));
     }
+    // Faces lie between the points; sides may halve points that are alone in their cells.
     void between_points(const Body& b) const {
         if (b.shape == Shape::circle) return wide_enough(b);
         const double spacing = point_spacing(domain_);
         const double off_x = columns_on_sides_ ? 0.5 * spacing : 0;
-        for (const auto& [at, offset] :
-             {std::pair{b.low(0), off_x}, {b.high(0), off_x}, {b.low(1), 0.0}, {b.high(1), 0.0}}) {
-            const bool on_side = std::abs(at) < slack || std::abs(at - domain_.width) < slack;
-            if (on_side && offset > 0) continue;
-            const double count = (at - offset) / spacing;
-            if (std::abs(count - std::round(count)) > 1e-6)
-                refuse_body(b, fmt::format("with a face at {:.6g} m", at),
-                            fmt::format("faces must lie between the points, {:.6g} m apart", spacing),
-                            fmt::format("move it to {:.6g} m", offset + std::round(count) * spacing));
-        }
+        for (const double at : {b.low(0), b.high(0)})
+            if (std::abs(at) > slack && std::abs(at - domain_.width) > slack)
+                face_at(b, at, halves_points_ ? 0 : off_x, halves_points_ ? 0.5 * spacing : spacing);
+        for (const double at : {b.low(1), b.high(1)}) face_at(b, at, 0, spacing);
+    }
+    static void face_at(const Body& b, double at, double offset, double spacing) {
+        const double count = (at - offset) / spacing;
+        if (std::abs(count - std::round(count)) > 1e-6)
+            refuse_body(b, fmt::format("with a face at {:.6g} m", at),
+                        fmt::format("faces must lie between the points, {:.6g} m apart", spacing),
+                        fmt::format("move it to {:.6g} m", offset + std::round(count) * spacing));
     }
     void wide_enough(const Body& b) const {
         if (b.size[0] < 4 * domain_.cell * (1 - 1e-9))
@@ -300,23 +304,12 @@ class Checks {
     bool surrogate_alone_;
     const std::vector<Region>& regions_;
     const std::vector<Body>& bodies_;
-    bool columns_on_sides_;
+    bool columns_on_sides_, halves_points_;
     const KeyTable& keys_;
     const std::string& file_;
 };
 
 }  // namespace
-
-double point_spacing(const Domain& domain) {
-    return domain.cell / static_cast<double>(std::lround(std::sqrt(domain.points_per_cell)));
-}
-
-bool columns_on_sides(const Scene& scene) {
-    const Body* body = scene.loaded_body();
-    const bool halved = body ? body->low(0) < 0 && body->shape == Shape::rectangle
-                             : scene.anchor.present && scene.anchor.orientation == Orientation::horizontal;
-    return halved && std::lround(scene.anchor.width / point_spacing(scene.domain)) % 2 == 1;
-}
 
 void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);

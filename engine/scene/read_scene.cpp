@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "scene/alignment.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/effects.hpp"
 #include "scene/file_kind.hpp"

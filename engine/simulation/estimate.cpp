@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/process.hpp"
 #include "dem/grain_scale.hpp"
-#include "scene/check_scene.hpp"
+#include "scene/alignment.hpp"
 #include "simulation/programme.hpp"
 
 namespace sandgraph::simulation {

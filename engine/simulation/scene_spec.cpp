@@ -5,7 +5,7 @@
 
 #include "mpm/time_step.hpp"
 #include "packings/samples.hpp"
-#include "scene/check_scene.hpp"
+#include "scene/alignment.hpp"
 #include "simulation/build_screening.hpp"
 #include "simulation/estimate.hpp"
 #include "stress/elastic.hpp"
@@ -40,36 +40,12 @@ mpm::RigidPlate plate_of(const scene::Scene& scene) {
     return plate;
 }
 
-// Whether a length ends nearer to a multiple of the cell than midway between two.
-bool ends_on_node(double length, double cell) {
-    const double cells = length / cell;
-    return std::fabs(cells - std::round(cells)) < 0.25;
-}
-
-// Whether the grid is moved by half a cell so that the ends of the faces lie between nodes.
-bool shift_x(const scene::Scene& s) {
-    if (s.domain.edges == scene::Edges::on_nodes || !s.loaded()) return false;
-    const scene::Body* body = s.loaded_body();
-    if (body) return body->moves_up_or_down() && ends_on_node(body->high(0), s.domain.cell);
-    return horizontal(s) && ends_on_node(0.5 * s.anchor.width, s.domain.cell);
-}
-// Upwards the domains of the points must still end on nodes, else the ground's own weight is not in exact
-// balance: with four points a cell.
-bool shift_y(const scene::Scene& s) {
-    if (s.domain.points_per_cell != 4 || s.domain.edges == scene::Edges::on_nodes || !s.loaded())
-        return false;
-    const scene::Body* body = s.loaded_body();
-    if (body)
-        return !body->moves_up_or_down() && body->low(1) > 0 && ends_on_node(body->low(1), s.domain.cell);
-    return !horizontal(s) && ends_on_node(s.domain.depth - embedment(s.anchor), s.domain.cell);
-}
-
 mpm::GridShape grid_shape(const scene::Scene& scene) {
     const double lift = scene.anchor.present ? scene.anchor.pull_to * scene.anchor.width : 0,
                  cell = scene.domain.cell;
     const auto across = static_cast<int>(std::lround(scene.domain.width / cell)),
                up = static_cast<int>(std::ceil((highest(scene) + lift + heave(scene)) / cell));
-    const double dx = shift_x(scene) ? 0.5 * cell : 0, dy = shift_y(scene) ? 0.5 * cell : 0;
+    const double dx = scene::shifts_x(scene) ? 0.5 * cell : 0, dy = scene::shifts_y(scene) ? 0.5 * cell : 0;
     return {-dx, -dy, cell, across + (dx > 0 ? 1 : 0), up + (dy > 0 ? 1 : 0)};
 }
 
@@ -193,7 +169,7 @@ Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground) 
     Spec spec;
     spec.ground = ground_of(scene, ground);
     spec.grid = grid_shape(scene);
-    spec.boundaries.between_x = shift_x(scene), spec.boundaries.between_y = shift_y(scene);
+    spec.boundaries.between_x = scene::shifts_x(scene), spec.boundaries.between_y = scene::shifts_y(scene);
     spec.gravity = Vec2(0, -scene.ground.gravity);
     spec.surcharge = scene.ground.surcharge;
     spec.scheme = scene.mpm;

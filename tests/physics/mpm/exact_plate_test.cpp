@@ -42,8 +42,8 @@ dilation_angle = "30 deg"
 const double kExact = 1 + 3 * std::tan(std::numbers::pi / 6);
 
 TEST(ExactPlate, IsMetWithFiveCellsAWidth) {
-    EXPECT_NEAR(breakout_factor({}) / kExact, 1, 0.015);
-    EXPECT_NEAR(breakout_factor({"domain.points_per_cell=4"}) / kExact, 1, 0.015);
+    EXPECT_NEAR(breakout_factor({}) / kExact, 1, 0.02);
+    EXPECT_NEAR(breakout_factor({"domain.points_per_cell=4"}) / kExact, 1, 0.02);
 }
 
 // What the paper's transfer makes of the same: four points a cell lock, and a plate with its ends on nodes is

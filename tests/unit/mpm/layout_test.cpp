@@ -27,6 +27,46 @@ TEST(Layout, RowsCountFromTheSurface) {
     for (const auto id : points.surface) EXPECT_EQ(points.row[static_cast<std::size_t>(id)], 0);
 }
 
+// Columns on the sides, so that the plate's ends come to lie on points: each keeps its half outside.
+TEST(Layout, APointAtTheEndOfAPlateIsHalved) {
+    const Rectangle plate{-0.5, 0.5, 0.5, 0.6};
+    const Points points =
+        lay_out({.ground = {0, 0, 2, 1}, .density = 2000, .cavities = {plate}, .columns_on_sides = true});
+    EXPECT_NEAR(total_mass(points), 2000 * (2.0 - 0.05), 1e-9);
+    int halved = 0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (points.cut[p] == 0) continue;
+        ++halved;
+        EXPECT_EQ(points.cut[p], -1) << "the half to the left lies in the plate";
+        EXPECT_NEAR(points.x[p], 0.5, 1e-12);
+        EXPECT_NEAR(points.y[p], 0.55, 1e-12);
+        EXPECT_NEAR(share(points, p), 0.5, 1e-12);
+    }
+    EXPECT_EQ(halved, 1);
+}
+
+// The footing's end comes to lie on a surface point: the surcharge acts on its half outside.
+TEST(Layout, ABodyTakesThePlaceOfTheSurchargeToItsEnd) {
+    const Points points = lay_out({.ground = {0, 0, 2, 1},
+                                   .density = 2000,
+                                   .cavities = {{-0.5, 1, 0.5, 1.4}},
+                                   .columns_on_sides = true});
+    ASSERT_EQ(points.bare.size(), points.surface.size());
+    double bare = 0;
+    for (std::size_t k = 0; k < points.surface.size(); ++k)
+        bare += points.bare[k] * share(points, static_cast<std::size_t>(points.surface[k])) * 2 * points.half;
+    EXPECT_NEAR(bare, 1.5, 1e-12);
+}
+
+TEST(Layout, NoPointLiesBetweenTwoBodiesThatMeetAtIt) {
+    const Points points = lay_out({.ground = {0, 0, 2, 1},
+                                   .density = 2000,
+                                   .cavities = {{-0.5, 0, 0.5, 0.4}, {0.5, 0, 2, 0.4}},
+                                   .columns_on_sides = true});
+    EXPECT_NEAR(total_mass(points), 2000 * 2.0 * 0.6, 1e-9);
+    for (std::size_t p = 0; p < points.size(); ++p) EXPECT_EQ(points.cut[p], 0);
+}
+
 TEST(PointsArchive, BringsEveryBitBack) {
     Points points = support::random_ground(5, 6, 4, 11), copy = support::random_ground(5, 6, 4, 12);
     points.F[3] << 1.25, 0.5, -0.25, 0.75;
