@@ -29,7 +29,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
     command->add_option("--threads", a->threads, "default: all cores")->check(CLI::Range(1, 1024));
     command->add_option("--until", a->until, "stop at this d/B (without an anchor at this time, in s)")
         ->check(positive());
-    command->add_flag("--resume", a->resume, "go on from the folder's last checkpoint");
+    command->add_flag(
+        "--resume", a->resume,
+        "go on from the folder's last checkpoint; start where there is none, leave a finished run");
     command->callback([a, &exit_code] { exit_code = run(*a); });
 }
 

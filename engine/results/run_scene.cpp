@@ -32,6 +32,10 @@ void finish(const simulation::RunSession& session, const simulation::RunOptions&
 simulation::RunEnd run_all(const simulation::RunRequest& a, const DrawPictures& draw) {
     const scene::Scene scene = simulation::scene_of(a);
     const simulation::RunOptions options = simulation::options_of(a, scene);
+    if (options.finished) {
+        tell(fmt::format("the run has ended before; results in {}\n", options.folder.string()));
+        return simulation::RunEnd::finished;
+    }
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
     const packings::PreparedGround ground = simulation::prepare(scene, options.threads);

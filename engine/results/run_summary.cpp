@@ -11,6 +11,7 @@
 #include "results/exact.hpp"
 #include "results/finished_run.hpp"
 #include "results/known_sand.hpp"
+#include "results/mesh_error.hpp"
 #include "results/peak.hpp"
 #include "results/screening_summary.hpp"
 #include "scene/scene_hash.hpp"
@@ -104,6 +105,11 @@ void add_exact(const Curve& curve, const scene::Scene& scene, const packings::Pr
     s.extra.emplace_back("limit_error", limit / exact->factor - 1);
 }
 
+void add_mesh(const scene::Scene& scene, const packings::PreparedGround& ground, io::Summary& s) {
+    s.extra.emplace_back("cells_per_width", cells_per_width(scene));
+    s.extra.emplace_back("mesh_error", book_mesh_error(scene, ground.friction.mean));
+}
+
 // The load of a body beside an anchor's formulas: no breakout, no N.
 void add_body_load(const simulation::RunSession& session, const scene::Scene& scene,
                    const packings::PreparedGround& ground, io::Summary& s) {
@@ -175,6 +181,7 @@ io::Summary summarise(const simulation::RunSession& session, const scene::Scene&
         add_loads(session, scene, ground, s);
     else if (scene.loaded())
         add_body_load(session, scene, ground, s);
+    if (scene.loaded()) add_mesh(scene, ground, s);
     add_known_sand(scene, ground, s);
     s.extra.emplace_back("density_kg_per_m3", ground.density);
     for (const auto& [phase, seconds] : session.recorders().record().timing)
@@ -251,6 +258,15 @@ std::string exact_text(const io::Summary& s) {
                        100 * s.number("limit_error"));
 }
 
+std::string mesh_text(const io::Summary& s) {
+    const double error = s.number("mesh_error"), cells = s.number("cells_per_width");
+    if (std::isnan(cells)) return "";
+    if (std::isnan(error))
+        return fmt::format("{:.3g} cells a width; what they make of the load is not known\n", cells);
+    return fmt::format("{:.3g} cells a width: the load some {:+.1f} % off by cases with an exact one\n",
+                       cells, 100 * error);
+}
+
 std::string summary_text(const io::Summary& s, const scene::Scene& scene) {
     std::string out;
     if (scene.anchor.present) out += loads_text(s, pulled_up(scene));
@@ -258,7 +274,7 @@ std::string summary_text(const io::Summary& s, const scene::Scene& scene) {
         out += fmt::format("largest load {:.4g} kN/m at d/B {:.3f}, late load {:.4g} kN/m, {}\n",
                            s.breakout_load / 1000, s.breakout_d_over_B, s.late_load / 1000,
                            energy_text(s.kinetic_to_strain_energy_max));
-    out += exact_text(s);
+    out += mesh_text(s) + exact_text(s);
     for (const std::string& warning : s.warnings) out += "warning: " + warning + "\n";
     out += fmt::format("{} points, {} steps, {:.3g} DEM steps, {:.0f} s on {} thread{}\n", s.points, s.steps,
                        double(s.dem_steps), s.wall_s, s.threads, s.threads == 1 ? "" : "s");

@@ -11,15 +11,9 @@ bool ends_on_node(double length, double cell) {
     return std::fabs(cells - std::round(cells)) < 0.25;
 }
 
-// The block under a body that is pushed into the surface narrows away from its face, and none of the band can
-// lie beneath: with ends between nodes it is as if half a cell narrower.
-bool pushes_into_surface(const Scene& s, const Body& body) {
-    return body.velocity[1] < 0 && body.high(1) > s.domain.depth;
-}
-
 bool horizontal(const Scene& s) { return s.anchor.orientation == Orientation::horizontal; }
 
-// A half model whose loaded ends are to lie midway between nodes, or on them.
+// A half model.
 bool halved(const Scene& s) {
     const Body* body = s.loaded_body();
     return body ? body->low(0) < 0 && body->shape == Shape::rectangle : s.anchor.present && horizontal(s);
@@ -35,8 +29,7 @@ bool shifts_x(const Scene& s) {
     if (s.domain.edges == Edges::on_nodes || !s.loaded()) return false;
     const Body* body = s.loaded_body();
     if (!body) return horizontal(s) && ends_on_node(0.5 * s.anchor.width, s.domain.cell);
-    const bool on_node = ends_on_node(body->high(0), s.domain.cell);
-    return body->moves_up_or_down() && on_node != pushes_into_surface(s, *body);
+    return body->moves_up_or_down() && ends_on_node(body->high(0), s.domain.cell);
 }
 
 // Upwards the domains of the points must still end on nodes, else the ground's own weight is not in exact

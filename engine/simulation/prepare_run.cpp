@@ -9,6 +9,7 @@
 #include "io/checkpoint.hpp"
 #include "io/folder_lock.hpp"
 #include "io/run_file.hpp"
+#include "io/summary.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/scene_hash.hpp"
 #include "simulation/estimate.hpp"
@@ -21,19 +22,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without one the run has ended, perhaps killed before it had cleared up, or never began.
-void require_checkpoint(const fs::path& folder, const scene::Scene& scene) {
+// What --resume finds in the folder.
+enum class Found { nothing, checkpoint, finished };
+
+// A run that was killed when it had ended and before it had cleared up is finished, too.
+Found found_in(const fs::path& folder, const scene::Scene& scene) {
+    const std::string hash = hex(scene::scene_hash(scene));
     const fs::path checkpoint = folder / io::checkpoint_name;
     if (fs::exists(checkpoint) || fs::exists(io::previous_checkpoint(checkpoint))) {
-        io::CheckpointReader(checkpoint, hex(scene::scene_hash(scene)));  // throws
-        return;
+        io::CheckpointReader(checkpoint, hash);  // throws
+        return Found::checkpoint;
     }
-    const bool ended = fs::exists(folder / "summary.json");
-    if (ended) io::remove_restart_files(folder);
-    throw InputError(
-        {folder.string(), 0}, "nothing to resume",
-        ended ? "the run has ended: its summary.json is there" : "there is no checkpoint in this folder",
-        "run without --resume, or give the run's folder with -o");
+    if (!fs::exists(folder / "summary.json")) return Found::nothing;
+    if (io::read_summary(folder / "summary.json").scene_hash != hash)
+        throw InputError({folder.string(), 0}, "holds a finished run of another scene",
+                         "there is nothing to go on with",
+                         "run without --resume, or give another folder with -o");
+    io::remove_restart_files(folder);
+    return Found::finished;
 }
 
 void require_no_checkpoint(const fs::path& folder) {
@@ -76,13 +82,11 @@ RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
     const double end = end_mark(scene);
     if (request.until > end) notice(fmt::format("--until {:g}: the run ends at {:g}", request.until, end));
     o.until = request.until > 0 ? std::min(request.until, end) : end;
-    o.resume = request.resume;
-    if (o.resume) {
-        require_checkpoint(o.folder, scene);
-    } else {
-        require_no_checkpoint(o.folder);
-        io::require_own_outputs(o.folder);
-    }
+    const Found found = request.resume ? found_in(o.folder, scene) : Found::nothing;
+    o.resume = found == Found::checkpoint, o.finished = found == Found::finished;
+    if (found != Found::nothing) return o;
+    require_no_checkpoint(o.folder);
+    io::require_own_outputs(o.folder);
     return o;
 }
 

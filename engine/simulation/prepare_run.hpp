@@ -6,9 +6,10 @@
 namespace sandgraph::simulation {
 
 // How the scene is to be run, and the run's folder taken into possession. InputError where it does not fit:
-// another run has it, it cannot be written, it holds files of somebody else; to resume it needs a whole
-// checkpoint of this scene; started anew, an unfinished run is hours of work and is not written over by a
-// forgotten --resume.
+// another run has it, it cannot be written, it holds files of somebody else; a checkpoint to be
+// resumed is damaged or of another scene. To resume starts where there is none, and finds a finished run
+// finished, so that a job may be queued again whatever became of it. Without --resume an unfinished run,
+// hours of work, is not written over.
 RunOptions options_of(const RunRequest& request, const scene::Scene& scene);
 
 // The packings, and the surrogate of a screening run. InputError for a surrogate that cannot be

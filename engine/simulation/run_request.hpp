@@ -23,8 +23,9 @@ struct RunOptions {
     std::filesystem::path folder;
     std::shared_ptr<io::FolderLock> owner;  // as long as the run is going on
     int threads = 0;
-    double until = 0;  // mark at which to stop
-    bool resume = false;
+    double until = 0;       // mark at which to stop
+    bool resume = false;    // there is a checkpoint to go on from
+    bool finished = false;  // there is nothing left to do
 };
 
 int threads_of(const RunRequest& request);

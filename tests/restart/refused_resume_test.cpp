@@ -56,9 +56,19 @@ TEST_F(InterruptedRun, OwnsItsFolder) {
     EXPECT_EQ(text_of(out("same") / "load.csv"), text_of(out("alone") / "load.csv"));
 }
 
-TEST_F(InterruptedRun, RefusesToResumeNothingOrAnotherScene) {
-    EXPECT_EQ(run("nothing", {"--resume"}), 2);
-    EXPECT_FALSE(fs::exists(out("nothing")));
+// A job may be queued again whatever became of it.
+TEST_F(InterruptedRun, ResumesWhereThereIsNothingAndLeavesAFinishedRun) {
+    ASSERT_EQ(run("plain"), 0);
+    ASSERT_EQ(run("fresh", {"--resume"}), 0);
+    EXPECT_EQ(text_of(out("fresh") / "load.csv"), text_of(out("plain") / "load.csv"));
+    const auto before = contents(out("fresh"));
+    EXPECT_EQ(run("fresh", {"--resume"}), 0);
+    EXPECT_EQ(contents(out("fresh")), before);
+    EXPECT_EQ(run("fresh", {"--resume", "--set", "grains.seed=2"}), 2) << "finished, but another scene's";
+    EXPECT_EQ(contents(out("fresh")), before);
+}
+
+TEST_F(InterruptedRun, RefusesToResumeAnotherScene) {
     ASSERT_EQ(run("part", {"--until", "0.002"}), 0);
     const auto before = contents(out("part"));
     EXPECT_EQ(run("part", {"--resume", "--set", "grains.seed=2"}), 2);
