@@ -116,6 +116,27 @@ TEST(Estimate, RefusesAPlateThatCrossesACellInAFewSteps) {
     EXPECT_THROW(require_feasible(s, estimate(s, 1)), InputError);
 }
 
+// Else the second row of points touches the plate at rest, too, and rest is none.
+TEST(SoftContact, ThatSeveralRowsWouldTouchIsRefusedWithTheSmallestStiffness) {
+    const auto refusal = [](const std::string& stiffness) -> std::string {
+        const scene::Scene s = scene_with({"mpm.contact_stiffness=" + stiffness, "domain.points_per_cell=4"});
+        const packings::PreparedGround ground = packings::prepare_ground(s);
+        try {
+            simulation_of(s, ground);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const std::string error = refusal("0.001");
+    ASSERT_NE(error.find("several rows of points"), std::string::npos) << error;
+    const std::size_t at = error.find("write ") + 6;
+    const std::string least = error.substr(at, error.find(' ', at) - at);
+    EXPECT_EQ(refusal(least), "accepted") << error;
+    EXPECT_NE(refusal(fmt::format("{}", 0.9 * std::stod(least))), "accepted");
+    EXPECT_EQ(refusal("1"), "accepted");
+}
+
 TEST(Estimate, OfStepsIsThatOfTheRun) {
     const scene::Scene s = scene_with({"anchor.pull_to=0.02"});
     const packings::PreparedGround ground = packings::prepare_ground(s);
