@@ -22,7 +22,7 @@ double expected_modulus(const Scene& s) {
 }
 
 double default_pull_rate(const Scene& s) {  // docs/how_it_works.md (eq. 13a)
-    constexpr double fastest = 0.05, pressure_share = 0.3, crossing_travel = 0.0015;
+    constexpr double fastest = 0.05, pressure_share = 0.25, crossing_travel = 0.0015;
     const double inertia = expected_density(s) * s.mpm.mass_scaling;
     const double c = std::sqrt(expected_modulus(s) / inertia), H = s.anchor.embedment_ratio * s.anchor.width;
     const double pressure = expected_density(s) * s.ground.gravity * H + s.ground.surcharge;
