@@ -19,14 +19,16 @@ struct Powers {
 void add_row(const Field& field, std::size_t first, std::size_t last, const GridStep& step, Powers& sum) {
     const Pair gravity = step.gravity.array();
     const double half_dt = 0.5 * step.dt, scaling = step.mass_scaling;
-    for (std::size_t k = first; k <= last; ++k) {
-        const Node& n = field.nodes[k];
-        if (n.mass == 0) continue;
-        const InMemory v(&field.motion[k].vx), a(&field.motion[k].ax), force(&n.fx);
-        const Pair kept = (scaling * n.mass) * a;
-        sum.damping += (force + n.mass * gravity - kept) * v;
-        sum.gained += kept * (v - half_dt * a);
+    const Motion* motion = field.motion.data() + first;
+    Powers row;
+    for (const Node *n = field.nodes.data() + first, *end = n + (last - first + 1); n < end; ++n, ++motion) {
+        if (n->mass == 0) continue;
+        const InMemory v(&motion->vx), a(&motion->ax), force(&n->fx);
+        const Pair kept = (scaling * n->mass) * a;
+        row.damping += (force + n->mass * gravity - kept) * v;
+        row.gained += kept * (v - half_dt * a);
     }
+    sum.damping += row.damping, sum.gained += row.gained;
 }
 
 }  // namespace

@@ -35,24 +35,28 @@ double loss(double courant, double damping, double pic) {
     return -std::log((mpm::kinetic_energy(model.state().points) + model.state().stress_work) / before);
 }
 
-// As a share a step it would lose 3 and 10 times as much.
+// Of damping or PIC alone: the transfer has a loss of its own, which falls with the step; the two are not
+// quite additive (11 % from 0.3 to 0.03 of courant).
+double part(double courant, double damping, double pic) {
+    return loss(courant, damping, pic) - loss(courant, 0, 0);
+}
+
+// As a share a step PIC would take 3 and 10 times as much.
 TEST(Dissipation, OfPicDoesNotGrowWithTheNumberOfSteps) {
-    const double usual = loss(0.3, 0, 0.05);
-    EXPECT_GT(usual, 0.2);
+    const double usual = part(0.3, 0, 0.05);
+    EXPECT_GT(usual, 0.5);
     for (const double courant : {0.1, 0.03}) {
-        const double shorter = loss(courant, 0, 0.05);
-        EXPECT_LT(shorter, 1.02 * usual) << courant;
-        EXPECT_GT(shorter, 0.8 * usual) << courant;
+        EXPECT_NEAR(part(courant, 0, 0.05), usual, 0.15 * usual) << courant;
+        EXPECT_LT(loss(courant, 0, 0.05), loss(0.3, 0, 0.05)) << courant;
     }
 }
 
 TEST(Dissipation, OfLocalDampingDoesNotGrowWithTheNumberOfSteps) {
-    const double usual = loss(0.3, 0.05, 0);
-    EXPECT_GT(usual, 0.2);
+    const double usual = part(0.3, 0.05, 0);
+    EXPECT_GT(usual, 0.5);
     for (const double courant : {0.1, 0.03}) {
-        const double shorter = loss(courant, 0.05, 0);
-        EXPECT_LT(shorter, 1.02 * usual) << courant;
-        EXPECT_GT(shorter, 0.8 * usual) << courant;
+        EXPECT_NEAR(part(courant, 0.05, 0), usual, 0.15 * usual) << courant;
+        EXPECT_LT(loss(courant, 0.05, 0), loss(0.3, 0.05, 0)) << courant;
     }
 }
 
