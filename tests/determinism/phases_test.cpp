@@ -78,7 +78,7 @@ class Snapshot {
     mpm::Grid grid_;
     mpm::Order order_;
     std::vector<Body> bodies_;
-    double work_[2];
+    double work_[4];
     support::MemoryArchive law_;
 };
 
