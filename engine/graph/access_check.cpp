@@ -101,7 +101,7 @@ std::array<std::uint64_t, stress::data_count> fingerprints(GroundState& s) {
     at(Data::grid) = grid_of(s.grid);
     at(Data::bodies) = bodies_of(s);
     at(Data::contact) = contact_of(s);
-    at(Data::energy) = hash_of(s.stress_work, s.work_before);
+    at(Data::energy) = hash_of(s.stress_work, s.work_before, s.node_work.damping, s.node_work.gained);
     for (const Data data : {Data::visits, Data::due, Data::answers, Data::packings, Data::law})
         at(data) = data == Data::visits ? law_of(s) : at(Data::visits);
     return out;

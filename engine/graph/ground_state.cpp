@@ -25,9 +25,9 @@ void GroundState::archive(Archive& a) {
         mpm::archive(a, bodies[k].plate, prefix);
         mpm::archive(a, bodies[k].contact, prefix);
     }
-    std::vector<double> work = {stress_work};
+    std::vector<double> work = {stress_work, node_work.damping, node_work.gained};
     field_of_known_length(a, "work", work);
-    stress_work = work.front();
+    stress_work = work[0], node_work = {work[1], work[2]};
     law->archive(a);
     if (a.reading()) order.stale = true;
 }

@@ -6,6 +6,7 @@
 #include "mpm/cell_mean.hpp"
 #include "mpm/contact.hpp"
 #include "mpm/grid.hpp"
+#include "mpm/node_work.hpp"
 #include "mpm/order.hpp"
 #include "mpm/plate.hpp"
 #include "mpm/points.hpp"
@@ -17,8 +18,8 @@ namespace sandgraph::graph {
 
 // What stays the same from step to step.
 struct StepSettings {
-    double dt = 0;  // [s]
-    mpm::Scheme scheme;
+    double dt = 0;                // [s]
+    mpm::Scheme scheme;           // pic_fraction: that of a step of dt
     Vec2 gravity = Vec2::Zero();  // [m/s2]
     double surcharge = 0;         // [Pa]
     mpm::Boundaries boundaries;
@@ -44,9 +45,10 @@ struct GroundState {
     double light = 0;     // a lighter node follows its neighbours [kg/m] (mpm/light_nodes.hpp)
     mpm::CellMean means;  // reduced integration, where a cell holds several points
     mpm::Status status;
-    double d_over_B = 0;     // of the anchor before this step, for the law's records; 0 without one
-    double stress_work = 0;  // accumulated sum of V sigma : d(eps), mid-step [J/m]
-    double work_before = 0;  // this step's half, with the old stress
+    double d_over_B = 0;      // of the anchor before this step, for the law's records; 0 without one
+    double stress_work = 0;   // accumulated sum of V sigma : d(eps), mid-step [J/m]
+    mpm::NodeWork node_work;  // accumulated, where there is a body [J/m]
+    double work_before = 0;   // this step's half, with the old stress
 
     void add_body(const mpm::RigidPlate& plate);
     stress::Batch batch() {

@@ -3,6 +3,7 @@
 #include "mpm/audit.hpp"
 #include "mpm/boundary.hpp"
 #include "mpm/grid_update.hpp"
+#include "mpm/node_work.hpp"
 #include "mpm/transfer.hpp"
 #include "mpm/two_field.hpp"
 
@@ -29,13 +30,16 @@ void load_grid(GroundState& s) {
     for (Body& body : s.bodies) mpm::add_contact(body.plate, s.points, s.order, s.grid, body.contact);
 }
 
-void move_grid(GroundState& s) {
+mpm::GridStep grid_step(const GroundState& s) {
     const StepSettings& set = s.settings;
-    mpm::update_grid(
-        {set.dt, set.gravity, set.scheme.damping, set.scheme.mass_scaling, set.boundaries, s.light}, s.grid);
+    return {set.dt, set.gravity, set.scheme.damping, set.scheme.mass_scaling, set.boundaries, s.light};
+}
+
+void move_grid(GroundState& s) {
+    mpm::update_grid(grid_step(s), s.grid);
     for (Body& body : s.bodies) {
-        mpm::advance_slip(body.plate, s.grid, set.dt, body.contact);
-        mpm::advance(body.plate, set.dt);
+        mpm::advance_slip(body.plate, s.grid, s.settings.dt, body.contact);
+        mpm::advance(body.plate, s.settings.dt);
     }
 }
 
@@ -44,6 +48,7 @@ void gather_points(GroundState& s) {
         mpm::grid_to_points(s.grid, {s.settings.dt, s.settings.scheme.pic_fraction}, s.order, s.points);
     if (s.means.active()) s.means.strain(s.order, s.points);
     s.work_before = mpm::stress_work(s.points);
+    if (!s.bodies.empty()) s.node_work += mpm::node_work(grid_step(s), s.grid);
 }
 
 void account_work(GroundState& s) { s.stress_work += 0.5 * (s.work_before + mpm::stress_work(s.points)); }

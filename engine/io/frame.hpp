@@ -41,6 +41,8 @@ struct LoadRow {
     double plate_work = 0;                       // done by the plate since the start [J/m]
     double rve_active = 0;                       // points that own a packing
     double dem_steps = 0;                        // cumulated
+    // Of the load (of the weight on the plate, where that is more), since the row before.
+    double damping_share = 0, pic_share = 0, inertia_share = 0;
 };
 
 std::string frame_name(std::size_t index);  // "0000", "0001", ...

@@ -7,7 +7,7 @@
 namespace sandgraph::io {
 namespace {
 
-constexpr std::array<LoadColumn, 10> columns{{
+constexpr std::array<LoadColumn, 13> columns{{
     {"d_over_B", "d_over_B", "-", &LoadRow::d_over_B},
     {"load", "load_N_per_m", "N/m", &LoadRow::load},
     {"top", "top_N_per_m", "N/m", &LoadRow::leading},
@@ -18,6 +18,9 @@ constexpr std::array<LoadColumn, 10> columns{{
     {"plate_work", "plate_work_J_per_m", "J/m", &LoadRow::plate_work},
     {"rve_active", "rve_active", "-", &LoadRow::rve_active},
     {"dem_steps", "dem_steps", "-", &LoadRow::dem_steps},
+    {"damping_share", "damping_share", "-", &LoadRow::damping_share},
+    {"pic_share", "pic_share", "-", &LoadRow::pic_share},
+    {"inertia_share", "inertia_share", "-", &LoadRow::inertia_share},
 }};
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace sandgraph::mpm {
 struct Scheme {
     double courant = 0.3;          // dt c/cell
     double damping = 0.05;         // local (non-viscous) grid damping
-    double pic_fraction = 0.01;    // share of PIC in the velocity update, the rest FLIP
+    double pic_fraction = 0.01;    // share of PIC in the velocity update in a usual step, the rest FLIP
     double mass_scaling = 1;       // inertia multiplied, gravity kept
     double contact_stiffness = 1;  // plate-soil penalty, in units of M/cell
     double hourglass = 0.1;        // own share of a point's strain beside its cell's mean; 1: all of it
@@ -35,6 +35,16 @@ inline double time_step(const Scheme& scheme, const Medium& m) {  // docs/how_it
     SG_EXPECT(m.cell > 0 && m.p_wave_modulus > 0 && m.density > 0);
     return crossing_time(scheme, m) *
            std::min(scheme.courant, 0.45 / std::sqrt(1 + scheme.contact_stiffness));
+}
+
+inline constexpr double usual_courant = Scheme{}.courant;
+
+// Share of PIC in a step of dt [s] that takes as much from a motion in a given time as `pic_fraction` does in
+// steps of courant 0.3: exactly that in such a step, less in a shorter one.
+inline double pic_share(const Scheme& scheme, const Medium& m, double dt) {  // (eq. 8a)
+    SG_EXPECT(dt > 0 && scheme.pic_fraction >= 0 && scheme.pic_fraction <= 1);
+    const double steps = dt / (usual_courant * crossing_time(scheme, m));
+    return steps == 1 ? scheme.pic_fraction : 1 - std::pow(1 - scheme.pic_fraction, steps);
 }
 
 }  // namespace sandgraph::mpm

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/hash.hpp"
 #include "base/revision.hpp"
 #include "results/analytic.hpp"
+#include "results/drag.hpp"
 #include "results/exact.hpp"
 #include "results/finished_run.hpp"
 #include "results/known_sand.hpp"
@@ -24,6 +26,8 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kSlow = 0.02;        // wave pressure over a body's load
 constexpr double kQuasiStatic = 0.1;  // kinetic energy over the plate's work
+constexpr double kDragSeen = 0.02;    // of the load; past it a warning,
+constexpr double kDragMost = 0.1;     // past it no breakout
 
 struct Curve {
     std::vector<double> d, load;
@@ -66,13 +70,40 @@ void add_formula(const scene::Scene& scene, const packings::PreparedGround& grou
 // Inertia carries a share of the load that nobody can tell from the sand's.
 bool is_quasi_static(const io::Summary& s) {
     return !(s.kinetic_to_strain_energy_max > kQuasiStatic) &&
-           !(s.number("rate_pressure_ratio") > simulation::forbidding_rate);
+           !(s.number("rate_pressure_ratio") > simulation::forbidding_rate) &&
+           !(s.number("drag_share") > kDragMost);
+}
+
+// What to change: the setting that carries most, where it is above its default, else the rate.
+const char* remedy(const Drag& drag, const scene::Scene& scene) {
+    const mpm::Scheme &scheme = scene.mpm, usual;
+    const double most = std::max({drag.damping, drag.pic, drag.inertia});
+    if (drag.damping == most && scheme.damping > usual.damping) return "mpm.damping";
+    if (drag.pic == most && scheme.pic_fraction > usual.pic_fraction) return "mpm.pic_fraction";
+    return scene.anchor.present ? "anchor.pull_rate" : "the body's velocity";
+}
+
+void add_drag(std::span<const io::LoadRow> rows, double at, const scene::Scene& scene, io::Summary& s) {
+    const Drag drag = drag_at(rows, at);
+    const double sum = drag.sum(), most = std::max(sum, largest_drag(rows));
+    s.extra.emplace_back("drag_share", sum);
+    s.extra.emplace_back("damping_share", drag.damping);
+    s.extra.emplace_back("pic_share", drag.pic);
+    s.extra.emplace_back("inertia_share", drag.inertia);
+    s.extra.emplace_back("drag_share_max", most);
+    if (most > kDragSeen)
+        s.warnings.push_back(fmt::format(
+            "damping, PIC and inertia carry {:.1f} % of the load where it is told ({:.1f}, {:.1f} and "
+            "{:.1f} %) and {:.1f} % at most: it is about that much too high; lower {}",
+            100 * sum, 100 * drag.damping, 100 * drag.pic, 100 * drag.inertia, 100 * most,
+            remedy(drag, scene)));
 }
 
 void add_breakout(const simulation::RunSession& session, const scene::Scene& scene,
                   const packings::PreparedGround& ground, io::Summary& s) {
     const Curve curve = curve_of(session.recorders().record());
     const Breakout breakout = results::breakout(curve.d, curve.load);
+    add_drag(session.recorders().record().load, breakout.d_over_B, scene, s);
     s.breakout = breakout.kind != BreakoutKind::still_rising && is_quasi_static(s);
     s.breakout_load = breakout.load, s.breakout_d_over_B = breakout.d_over_B;
     // docs/how_it_works.md (eq. 42).
@@ -128,12 +159,14 @@ void add_body_load(const simulation::RunSession& session, const scene::Scene& sc
             "the body is fast: the wave pressure rho c v is {:.2g} of its late load, and inertia may "
             "carry as much of it; take a smaller velocity",
             wave));
+    add_drag(session.recorders().record().load, s.breakout_d_over_B, scene, s);
     add_exact(curve, scene, ground, s);
 }
 
 void add_loads(const simulation::RunSession& session, const scene::Scene& scene,
                const packings::PreparedGround& ground, io::Summary& s) {
     s.kinetic_to_strain_energy_max = session.recorders().loads().kinetic_share_max();
+    s.extra.emplace_back("pull_rate_m_per_s", scene.anchor.pull_rate);
     s.extra.emplace_back("rate_pressure_ratio", simulation::rate_share(scene, ground, session.simulation()));
     s.warnings = simulation::caveats(scene, ground, session.simulation());
     warn_of_inertia(s);
@@ -200,9 +233,10 @@ std::string breakout_text(const io::Summary& s) {
                            steady ? "breakout, where the load begins to rise steadily:" : "breakout",
                            s.n_gamma, place);
     }
-    return fmt::format("no breakout {}: largest load so far {:.2f} gamma H B {}",
-                       is_quasi_static(s) ? "yet, the load still rises" : "is claimed, the plate is too fast",
-                       s.breakout_load / s.number("unit_load_N_per_m"), place);
+    return fmt::format(
+        "no breakout {}: largest load so far {:.2f} gamma H B {}",
+        is_quasi_static(s) ? "yet, the load still rises" : "is claimed, the plate is too fast or dragged",
+        s.breakout_load / s.number("unit_load_N_per_m"), place);
 }
 
 std::string later_text(const io::Summary& s) {

@@ -7,6 +7,7 @@
 #include "scene/alignment.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/effects.hpp"
+#include "scene/expected_ground.hpp"
 #include "scene/file_kind.hpp"
 #include "scene/grain_keys.hpp"
 #include "scene/scene_keys.hpp"
@@ -71,6 +72,8 @@ Scene parse(const std::string& text, const std::string& file, std::span<const st
     scene.given = keys.given();
     complete_grains(keys, scene.ground.grains);
     place_anchor(keys, scene);
+    if (scene.anchor.present && !keys.at("anchor.pull_rate").given)
+        scene.anchor.pull_rate = default_pull_rate(scene);
     check_scene(scene, keys);
     return scene;
 }

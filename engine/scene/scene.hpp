@@ -54,7 +54,7 @@ struct Anchor {
     double embedment_ratio =
         3;                    // H/B; H: surface to the top face (horizontal) or to the lower edge (vertical)
     double position = 0;      // x of the plate's centre [m]; horizontal: 0 (symmetry plane); vertical: free
-    double pull_rate = 0.05;  // [m/s]
+    double pull_rate = 0.05;  // [m/s]; unless given default_pull_rate (expected_ground.hpp)
     double ramp = 0.01;       // d/B over which the rate rises smoothly from zero
     double pull_to = 0.4;     // d_max / B
     double friction_angle = std::numbers::pi / 2;  // plate-soil friction [rad]; 90 deg = perfectly rough

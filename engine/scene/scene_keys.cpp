@@ -50,7 +50,8 @@ void add_anchor_keys(KeyTable& keys, Anchor& a) {
                 "H/B; H from the surface to the top face (horizontal) or the lower edge (vertical)");
     anchor.real("position", a.position, "m", at_least(0),
                 "x of the plate's centre; vertical: middle of the domain unless given");
-    anchor.real("pull_rate", a.pull_rate, "m/s", above(0), "speed of the plate");
+    anchor.real("pull_rate", a.pull_rate, "m/s", above(0),
+                "speed of the plate; unless given this or less, so that inertia carries no load");
     anchor.real("ramp", a.ramp, "", at_least(0), "d/B over which the speed rises from zero");
     anchor.real("pull_to", a.pull_to, "", above(0), "d/B at the end");
     anchor.real("friction_angle", a.friction_angle, "deg", within(0, right_angle),
@@ -92,8 +93,9 @@ void add_mpm_keys(KeyTable& keys, Mpm& m) {
     mpm.real("courant", m.courant, "", above_up_to(0, 1),
              "time step times c/cell, c: P-wave speed; at most 0.45/sqrt(1 + contact_stiffness) is taken");
     mpm.real("damping", m.damping, "", within(0, 0.9), "local grid damping");
-    mpm.real("pic_fraction", m.pic_fraction, "", within(0, 1),
-             "PIC share of the velocity update, the rest FLIP");
+    mpm.real(
+        "pic_fraction", m.pic_fraction, "", within(0, 1),
+        "PIC share of the velocity update in a step of courant 0.3, less in a shorter one; the rest FLIP");
     mpm.real("mass_scaling", m.mass_scaling, "", at_least(1), "inertia multiplied by this, gravity kept");
     mpm.real("contact_stiffness", m.contact_stiffness, "", above(0),
              "plate on soil, in P-wave moduli a cell");

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "base/process.hpp"
-#include "dem/grain_scale.hpp"
 #include "scene/alignment.hpp"
+#include "scene/expected_ground.hpp"
 #include "simulation/programme.hpp"
 
 namespace sandgraph::simulation {
@@ -40,11 +39,6 @@ void add_preparation(const scene::Scene& s, int threads, Estimate& e) {
     e.preparation = (g.samples * kBasePacking + e.packings * kInSituPacking) * g.count / threads;
 }
 
-double density(const scene::Scene& s) {
-    const scene::Grains& g = s.ground.grains;
-    return of_grains(s) ? g.material.density * (1 - g.target_porosity) : s.ground.continuum.density;
-}
-
 double duration(const scene::Scene& s) {
     if (!s.loaded()) return s.mpm.end_time;
     return settling_time(s.anchor.width) +
@@ -52,23 +46,16 @@ double duration(const scene::Scene& s) {
 }
 
 double step_of(const scene::Scene& s, double modulus) {
-    return mpm::time_step(s.mpm, {s.domain.cell, modulus, density(s)});
+    return mpm::time_step(s.mpm, {s.domain.cell, modulus, scene::expected_density(s)});
 }
 
 }  // namespace
-
-double expected_modulus(const scene::Scene& s) {
-    if (!of_grains(s)) return s.ground.continuum.elastic().p_wave();
-    const scene::Grains& g = s.ground.grains;
-    constexpr double stiffer = 1.8;  // packings of Table 1 at 90 kPa, beside two grains
-    return stiffer * dem::grain_scale(std::array{g.radius_min, g.radius_max}, g.material).modulus;
-}
 
 Estimate estimate(const scene::Scene& s, int threads) {
     const double spacing = scene::point_spacing(s.domain);
     Estimate e;
     e.points = s.domain.width * s.domain.depth / (spacing * spacing);
-    e.steps = duration(s) / step_of(s, expected_modulus(s));
+    e.steps = duration(s) / step_of(s, scene::expected_modulus(s));
     e.bytes = e.points * (kBytesAPoint + packed_share(s) * kBytesAGrain * s.ground.grains.count);
     const double pull = s.loaded() ? s.anchor.pull_to : 0;
     const double dem =
@@ -90,7 +77,7 @@ void require_feasible(const scene::Scene& s, const Estimate& e) {
     if (!s.loaded()) return;
     constexpr double stiffest =
         2;  // of packings, beside what is expected: the last word is said when they are made
-    require_slow_plate(s, step_of(s, (of_grains(s) ? stiffest : 1) * expected_modulus(s)));
+    require_slow_plate(s, step_of(s, (of_grains(s) ? stiffest : 1) * scene::expected_modulus(s)));
 }
 
 void require_slow_plate(const scene::Scene& scene, double dt) {

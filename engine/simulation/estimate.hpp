@@ -13,9 +13,6 @@ struct Estimate {
 };
 Estimate estimate(const scene::Scene& scene, int threads);
 
-// P-wave modulus of the ground [Pa]; packings: of the order.
-double expected_modulus(const scene::Scene& scene);
-
 // InputError for more ground than this machine (or its control group) holds, and for a plate too fast for
 // contact to be followed.
 void require_feasible(const scene::Scene& scene, const Estimate& estimate);

@@ -28,7 +28,8 @@ std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation
     if (simulation.anchored()) add(simulation);
     steps_ += 1;
     if (simulation.mark() < next_) return std::nullopt;
-    const io::LoadRow out = row(simulation, load_ / steps_);
+    io::LoadRow out = row(simulation, load_ / steps_);
+    add_drag(simulation, out);
     if (simulation.d_over_B() >= kQuasiStaticFrom && plate_work_ > 0)  // soft ground may push the plate first
         kinetic_share_max_ = std::fmax(kinetic_share_max_, out.kinetic_energy / work_scale(simulation));
     while (next_ <= simulation.mark()) next_ += every_;
@@ -51,13 +52,42 @@ io::LoadRow LoadRecorder::row(const Simulation& simulation, double load) const {
     return out;
 }
 
+// Forces times travel: docs/how_it_works.md (eq. 12c).
+void LoadRecorder::add_drag(const Simulation& simulation, io::LoadRow& row) {
+    if (!simulation.anchored()) return;
+    const mpm::NodeWork& work = simulation.state().node_work;
+    const Account now{factor_ * work.damping, factor_ * work.gained, row.kinetic_energy, row.plate_work,
+                      simulation.travel()};
+    const double kinetic = now.kinetic - before_.kinetic;
+    const double scale = std::fmax(now.plate - before_.plate, unit_load_ * (now.travel - before_.travel));
+    if (scale > 0) {  // the plate has moved
+        row.damping_share = (now.damping - before_.damping) / scale;
+        row.pic_share = (now.gained - before_.gained - kinetic) / scale;
+        row.inertia_share = kinetic / scale;
+    }
+    before_ = now;
+}
+
 void LoadRecorder::archive(Archive& a) {
-    std::vector<double> v = {next_, steps_, d_, load_, leading_, trailing_, plate_work_, kinetic_share_max_,
-                             last_};
+    std::vector<double> v = {next_,
+                             steps_,
+                             d_,
+                             load_,
+                             leading_,
+                             trailing_,
+                             plate_work_,
+                             kinetic_share_max_,
+                             last_,
+                             before_.damping,
+                             before_.gained,
+                             before_.kinetic,
+                             before_.plate,
+                             before_.travel};
     field_of_known_length(a, "load_recorder", v);
     require_state(v[0] >= 0, "load_recorder");
     next_ = v[0], steps_ = v[1], d_ = v[2], load_ = v[3], leading_ = v[4], trailing_ = v[5];
     plate_work_ = v[6], kinetic_share_max_ = v[7], last_ = v[8];
+    before_ = {v[9], v[10], v[11], v[12], v[13]};
 }
 
 }  // namespace sandgraph::simulation

@@ -29,9 +29,13 @@ class LoadRecorder {
   private:
     void add(const Simulation& simulation);
     double work_scale(const Simulation& simulation) const;  // of the plate so far [J/m], above zero
+    void add_drag(const Simulation& simulation, io::LoadRow& row);
     io::LoadRow row(const Simulation& simulation, double load) const;
     double every_, factor_, unit_load_;
     double next_ = 0, steps_ = 0, d_ = 0, load_ = 0, leading_ = 0, trailing_ = 0, plate_work_ = 0, last_ = 0;
+    struct Account {  // since the start, of the whole plate [J/m], and its travel [m]
+        double damping = 0, gained = 0, kinetic = 0, plate = 0, travel = 0;
+    } before_;  // at the last row
     double kinetic_share_max_ = std::numeric_limits<double>::quiet_NaN();
 };
 

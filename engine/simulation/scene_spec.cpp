@@ -1,8 +1,12 @@
 #include "simulation/scene_spec.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
 #include "mpm/time_step.hpp"
 #include "packings/samples.hpp"
 #include "scene/alignment.hpp"
@@ -135,6 +139,26 @@ std::vector<BodySpec> bodies_of(const scene::Scene& scene, const packings::Prepa
     return out;
 }
 
+// At rest only the row beside a face touches it: the face stands out by p0/k_a, which must not reach far into
+// that row, nor must what a pull adds.
+void require_stiff_contact(const scene::Scene& scene, const Simulation& simulation) {
+    constexpr double most = 0.2;  // of the distance of two rows
+    for (const graph::Body& body : simulation.state().bodies) {
+        const mpm::RestPressure& r = body.plate.rest;
+        const double deep = body.plate.half_height;
+        const double pressure =
+            std::max(r.vertical + deep * r.vertical_gradient, r.horizontal + deep * r.horizontal_gradient);
+        const double out = pressure / body.plate.stiffness / (most * scene::point_spacing(scene.domain));
+        if (out > 1)
+            throw InputError(
+                scene.where("mpm.contact_stiffness"),
+                fmt::format("mpm.contact_stiffness = {:g}", scene.mpm.contact_stiffness),
+                fmt::format("the {:.3g} kPa at rest would press several rows of points into the plate",
+                            pressure / 1000),
+                fmt::format("write {:.2g} or more with this cell", 1.01 * out * scene.mpm.contact_stiffness));
+    }
+}
+
 }  // namespace
 
 double embedment(const scene::Anchor& anchor) { return anchor.embedment_ratio * anchor.width; }
@@ -158,6 +182,7 @@ double whole_plate_factor(const scene::Scene& scene) {
 std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
     auto simulation = std::make_unique<Simulation>(spec_of(scene, ground));
     if (scene.loaded()) require_slow_plate(scene, simulation->state().settings.dt);
+    require_stiff_contact(scene, *simulation);
     return simulation;
 }
 

@@ -42,6 +42,7 @@ graph::StepSettings settings_of(const Spec& spec, double modulus) {
     graph::StepSettings s;
     s.dt = spec.stable ? mpm::time_step(scheme, medium) : scheme.courant * mpm::crossing_time(scheme, medium);
     s.scheme = spec.scheme;
+    s.scheme.pic_fraction = mpm::pic_share(scheme, medium, s.dt);
     s.gravity = spec.gravity;
     s.surcharge = spec.surcharge;
     s.boundaries = spec.boundaries;

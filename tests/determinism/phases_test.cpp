@@ -62,13 +62,14 @@ class Snapshot {
           grid_(s.grid),
           order_(s.order),
           bodies_(s.bodies),
-          work_{s.stress_work, s.work_before} {
+          work_{s.stress_work, s.work_before, s.node_work.damping, s.node_work.gained} {
         s.law->archive(law_);
         law_.read_from_now_on();
     }
     void restore(GroundState& s) {
         s.points = points_, s.grid = grid_, s.order = order_, s.bodies = bodies_;
         s.stress_work = work_[0], s.work_before = work_[1];
+        s.node_work = {work_[2], work_[3]};
         s.law->archive(law_);
     }
 
@@ -77,7 +78,7 @@ class Snapshot {
     mpm::Grid grid_;
     mpm::Order order_;
     std::vector<Body> bodies_;
-    double work_[2];
+    double work_[4];
     support::MemoryArchive law_;
 };
 

@@ -139,5 +139,66 @@ TEST(PulledPlate, WorkAndEnergyBalance) {
     RecordProperty("stored_over_plate_work", std::to_string(stored / plate_work));
 }
 
+// Of the penalty springs of the contact [J/m].
+double spring_energy(const simulation::Simulation& model) {
+    const graph::Body& body = model.state().bodies.front();
+    double sum = 0;
+    for (const mpm::ContactPoint& t : body.contact.points) {
+        const double pressed = std::max(t.penetration, 0.0), slip = body.contact.slip[std::size_t(t.point)];
+        sum += 0.5 * body.plate.stiffness * t.length * (pressed * pressed + slip * slip);
+    }
+    return sum;
+}
+
+// Work of plate and surcharge = of stress, weight, damping and transfer + kinetic energy + springs of the
+// contact. A rough plate does not slip. The drag is large here, so that it must be accounted for.
+TEST(PulledPlate, EnergyBalancesWithDampingAndPic) {
+    constexpr double surcharge = 5e3;
+    simulation::Spec spec = ground_with_plate({true, 0.2, 1.0, 1});
+    spec.scheme.damping = 0.3, spec.scheme.pic_fraction = 0.05, spec.surcharge = surcharge;
+    const double height = spec.ground.extent.y1;
+    spec.bodies[0].plate.rest =
+        mpm::rest_pressure(surcharge, density * gravity, height - spec.bodies[0].plate.y);
+    spec.law = [height](const mpm::Points& points) {
+        std::vector<Stress> initial(points.size());
+        std::vector<double> zz(points.size());
+        for (std::size_t p = 0; p < initial.size(); ++p) {
+            zz[p] = -surcharge - density * gravity * (height - points.y[p]);
+            initial[p] = {zz[p], zz[p], 0};
+        }
+        return std::make_unique<stress::MohrCoulomb>(sand, initial, zz);
+    };
+    simulation::Simulation model(spec);
+    const graph::GroundState& state = model.state();
+    const auto top = [&] {
+        double sum = 0;
+        for (const auto p : state.points.surface)
+            sum += state.points.y[std::size_t(p)] * 2 * state.points.half;
+        return sum;
+    };
+    model.step();
+    const double potential = mpm::gravity_potential(state.points, {0, -gravity}), surface = top();
+    const double springs = spring_energy(model), kinetic = mpm::kinetic_energy(state.points),
+                 strain = state.stress_work;
+    const mpm::NodeWork nodes = state.node_work;
+    double plate_work = 0;
+    while (model.travel() < 0.02) {
+        model.step();
+        plate_work += mpm::plate_work(state.bodies[0].plate, reaction(model), state.settings.dt);
+    }
+    const double damping = state.node_work.damping - nodes.damping;
+    const double transfer =
+        state.node_work.gained - nodes.gained - (mpm::kinetic_energy(state.points) - kinetic);
+    const double stored = state.stress_work - strain + mpm::gravity_potential(state.points, {0, -gravity}) -
+                          potential + surcharge * (top() - surface) + mpm::kinetic_energy(state.points) -
+                          kinetic + spring_energy(model) - springs;
+    EXPECT_GT(damping, 0.02 * plate_work);
+    EXPECT_GT(transfer, 0.02 * plate_work);
+    EXPECT_NEAR(stored + damping + transfer, plate_work, 0.01 * plate_work);
+    RecordProperty("missing", std::to_string((stored + damping + transfer) / plate_work - 1));
+    RecordProperty("damping", std::to_string(damping / plate_work));
+    RecordProperty("transfer", std::to_string(transfer / plate_work));
+}
+
 }  // namespace
 }  // namespace sandgraph

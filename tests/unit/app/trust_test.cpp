@@ -42,6 +42,31 @@ TEST(Trust, ABreakoutIsClaimedOfASlowPlateAndItsFormulaIsForItsThickness) {
     EXPECT_NE(run.out.find("8 cells a plate width"), std::string::npos) << run.out;
 }
 
+// Damping of 0.9 carries a tenth of the load and more; the default carries next to nothing.
+TEST(Trust, TheLoadThatDampingCarriesIsToldAndForbidsABreakout) {
+    const Shell shell("damped");
+    shell.write("scene.toml", support::sand_scene({.pull_to = 0.02}));
+    const auto run = shell.run(
+        "run scene.toml -o out --set mpm.damping=0.9 --set mpm.mass_scaling=10 --set 'anchor.pull_rate=0.05 "
+        "m/s'");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.out.find("warning: damping, PIC and inertia carry"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("lower mpm.damping"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("no breakout is claimed"), std::string::npos) << run.out;
+    const auto dragged = summary_of(shell, "out");
+    EXPECT_GT(dragged["drag_share"].get<double>(), 0.1);
+    EXPECT_NEAR(dragged["drag_share"].get<double>(),
+                dragged["damping_share"].get<double>() + dragged["pic_share"].get<double>() +
+                    dragged["inertia_share"].get<double>(),
+                1e-12);
+    EXPECT_EQ(dragged["breakout"], false);
+    EXPECT_TRUE(dragged["n_gamma"].is_null());
+    ASSERT_EQ(shell.run("run scene.toml -o usual").exit_code, 0);
+    const auto usual = summary_of(shell, "usual");
+    EXPECT_LT(usual["drag_share"].get<double>(), 0.02);
+    EXPECT_GT(usual["drag_share"].get<double>(), 0);
+}
+
 TEST(Trust, OfARunThatStillRisesThereIsNoBreakoutFactor) {
     const Shell shell("rising");
     shell.write("scene.toml", support::sand_scene());

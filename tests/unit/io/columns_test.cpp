@@ -27,7 +27,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 TEST(LoadColumns, EachValueStandsUnderItsOwnName) {
-    const LoadRow row{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    const LoadRow row{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
     const std::vector<std::string> names = cells(load_csv_header()), values = cells(load_csv_line(row));
     const std::vector<std::string> expected{"d_over_B",
                                             "load_N_per_m",
@@ -38,7 +38,10 @@ TEST(LoadColumns, EachValueStandsUnderItsOwnName) {
                                             "strain_work_J_per_m",
                                             "plate_work_J_per_m",
                                             "rve_active",
-                                            "dem_steps"};
+                                            "dem_steps",
+                                            "damping_share",
+                                            "pic_share",
+                                            "inertia_share"};
     ASSERT_GE(names.size(), expected.size());  // columns are added at the end
     for (std::size_t k = 0; k < expected.size(); ++k) {
         EXPECT_EQ(names[k], expected[k]);

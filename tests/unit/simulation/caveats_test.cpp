@@ -61,7 +61,7 @@ TEST(Caveats, NameAPlateTooFast) {
     const auto fast = doubts({"anchor.pull_rate=0.2 m/s"});
     expect_only(fast, "anchor.pull_rate = 0.2 m/s is fast");
     EXPECT_NE(fast.front().find("take 0.094 m/s or less"), std::string::npos) << fast.front();
-    expect_only(doubts({"mpm.mass_scaling=10"}), "is fast");
+    expect_only(doubts({"mpm.mass_scaling=10", "anchor.pull_rate=0.05 m/s"}), "is fast");
 }
 
 // Impedance times rate over the pressure at the plate: its width does not matter.
@@ -114,6 +114,27 @@ TEST(Estimate, RefusesMoreGroundThanThereIsMemoryFor) {
 TEST(Estimate, RefusesAPlateThatCrossesACellInAFewSteps) {
     const scene::Scene s = scene_with({"anchor.pull_rate=40 m/s"});
     EXPECT_THROW(require_feasible(s, estimate(s, 1)), InputError);
+}
+
+// Else the second row of points touches the plate at rest, too, and rest is none.
+TEST(SoftContact, ThatSeveralRowsWouldTouchIsRefusedWithTheSmallestStiffness) {
+    const auto refusal = [](const std::string& stiffness) -> std::string {
+        const scene::Scene s = scene_with({"mpm.contact_stiffness=" + stiffness, "domain.points_per_cell=4"});
+        const packings::PreparedGround ground = packings::prepare_ground(s);
+        try {
+            simulation_of(s, ground);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const std::string error = refusal("0.001");
+    ASSERT_NE(error.find("several rows of points"), std::string::npos) << error;
+    const std::size_t at = error.find("write ") + 6;
+    const std::string least = error.substr(at, error.find(' ', at) - at);
+    EXPECT_EQ(refusal(least), "accepted") << error;
+    EXPECT_NE(refusal(fmt::format("{}", 0.9 * std::stod(least))), "accepted");
+    EXPECT_EQ(refusal("1"), "accepted");
 }
 
 TEST(Estimate, OfStepsIsThatOfTheRun) {

@@ -62,6 +62,36 @@ TEST(LoadRecorder, RowsAreMeansSinceTheRowBefore) {
     EXPECT_GE(rows, 3);
 }
 
+// What damping took, what the transfer took and what the kinetic energy gained, over the plate's work since
+// the row before, or over that of lifting the weight on it where it is more.
+TEST(LoadRecorder, DragSharesAreOfTheRowsOwnWork) {
+    for (const double unit_load : {1e-9, 1e9}) {
+        Spec spec = pulled(0.005);
+        spec.scheme.damping = 0.2, spec.scheme.pic_fraction = 0.1;
+        Simulation simulation(spec);
+        LoadRecorder recorder(10 * 0.005 * simulation.state().settings.dt / 0.8 * 0.999, 2, unit_load);
+        io::LoadRow before;
+        mpm::NodeWork nodes;
+        double travel = 0;
+        int rows = 0;
+        for (int k = 0; k < 31; ++k) {
+            simulation.step();
+            const auto row = recorder.after_step(simulation);
+            if (!row) continue;
+            const double work =
+                std::fmax(row->plate_work - before.plate_work, unit_load * (simulation.travel() - travel));
+            const double kinetic = row->kinetic_energy - before.kinetic_energy;
+            const mpm::NodeWork now = simulation.state().node_work;
+            EXPECT_NEAR(row->damping_share, 2 * (now.damping - nodes.damping) / work, 1e-12);
+            EXPECT_NEAR(row->inertia_share, kinetic / work, 1e-12);
+            EXPECT_NEAR(row->pic_share, (2 * (now.gained - nodes.gained) - kinetic) / work, 1e-12);
+            EXPECT_GT(row->damping_share, 0);
+            before = *row, nodes = now, travel = simulation.travel(), ++rows;
+        }
+        EXPECT_GE(rows, 3);
+    }
+}
+
 // The ground's energy over what the plate has put into it, looked at from 0.005 of its width on.
 TEST(LoadRecorder, TheKineticShareIsOfThePlatesWork) {
     Simulation simulation(pulled());
