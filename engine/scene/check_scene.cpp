@@ -83,14 +83,6 @@ class Checks {
                        "write the density in kg/m3");
         }
     }
-    // A liquid: it flows from under the smallest load, and what it does at rest is a matter of round-off.
-    void solid() const {
-        const Continuum& c = ground_.continuum;
-        if (ground_.law == Law::mohr_coulomb && c.friction_angle == 0 && c.cohesion == 0)
-            refuse("continuum.friction_angle",
-                   "ground without friction and cohesion is a liquid and holds no body",
-                   "write a friction angle, or a cohesion");
-    }
     // Sand that widens by more than it rubs would give off energy.
     void dilation() const {
         const Continuum& c = ground_.continuum;
@@ -327,7 +319,7 @@ void check_scene(const Scene& scene, const KeyTable& keys) {
     checks.densities();
     checks.dilation();
     checks.bodies();
-    if (scene.loaded()) checks.stressed(), checks.solid();
+    if (scene.loaded()) checks.stressed();
     checks.held_at_rest();
     checks.learnt();
     if (!scene.anchor.present) return checks.regions_in_the_ground();

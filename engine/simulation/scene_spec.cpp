@@ -159,6 +159,20 @@ void require_stiff_contact(const scene::Scene& scene, const Simulation& simulati
     }
 }
 
+// Nothing in a liquid resists a change of shape, and FLIP keeps what the grid does not see of it: at rest it
+// began to slosh. A tenth of PIC a usual step takes that.
+bool is_liquid(const scene::Scene& s) {
+    const auto& c = s.ground.continuum;
+    return s.ground.law == scene::Law::mohr_coulomb && c.friction_angle == 0 && c.cohesion == 0;
+}
+
+mpm::Scheme scheme_of(const scene::Scene& scene) {
+    constexpr double calming = 0.1;
+    mpm::Scheme scheme = scene.mpm;
+    if (is_liquid(scene)) scheme.pic_fraction = std::max(scheme.pic_fraction, calming);
+    return scheme;
+}
+
 }  // namespace
 
 double embedment(const scene::Anchor& anchor) { return anchor.embedment_ratio * anchor.width; }
@@ -197,7 +211,7 @@ Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground) 
     spec.boundaries.between_x = scene::shifts_x(scene), spec.boundaries.between_y = scene::shifts_y(scene);
     spec.gravity = Vec2(0, -scene.ground.gravity);
     spec.surcharge = scene.ground.surcharge;
-    spec.scheme = scene.mpm;
+    spec.scheme = scheme_of(scene);
     spec.bodies = bodies_of(scene, ground);
     for (BodySpec& body : spec.bodies) body.plate.trimmed = scene.domain.edges == scene::Edges::between_nodes;
     spec.loaded = scene.loaded();

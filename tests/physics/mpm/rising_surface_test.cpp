@@ -68,6 +68,19 @@ INSTANTIATE_TEST_SUITE_P(Rates, RisingSurface,
                          testing::Combine(testing::Values(0.05, 0.01, 0.002), testing::Values(1)));
 INSTANTIATE_TEST_SUITE_P(FourPoints, RisingSurface, testing::Values(std::tuple(0.05, 4)));
 
+// Ground without friction and cohesion is a liquid: around a plate that does not move it rests.
+TEST(FirstMotion, ALiquidDoesNotSlosh) {
+    const scene::Scene scene = shallow({"continuum.friction_angle=0 deg", "domain.cell=0.25 m"}, 0);
+    const auto simulation = simulation_of(scene, packings::prepare_ground(scene));
+    const mpm::Points before = simulation->state().points;
+    for (int step = 0; step < 3000; ++step) simulation->step(Vec2(0, 0));
+    const mpm::Points& after = simulation->state().points;
+    for (std::size_t p = 0; p < before.size(); ++p) {
+        EXPECT_NEAR(after.x[p], before.x[p], 1e-6) << p;
+        EXPECT_NEAR(after.y[p], before.y[p], 1e-6) << p;
+    }
+}
+
 // The ground's answer to a pull of a hundredth of a millimetre is elastic: nothing moves further than the
 // plate.
 TEST(FirstMotion, MovesNothingFurtherThanThePlate) {

@@ -17,6 +17,7 @@ cell = "0.25 m"
 embedment_ratio = 1
 thickness = "0.25 m"
 pull_to = 0.01
+pull_rate = "0.05 m/s"
 ramp = 0.001
 [ground]
 law = "elastic"

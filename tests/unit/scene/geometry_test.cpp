@@ -84,13 +84,5 @@ TEST(Geometry, EndTimeIsForGroundWithoutAnAnchor) {
     EXPECT_EQ(refused(ends + "[anchor]\npresent = false"), "accepted");
 }
 
-// It would flow from beside the plate at the first touch of round-off. Without a body it may slosh.
-TEST(Ground, ThatIsALiquidHoldsNoBody) {
-    const std::string liquid = "[ground]\nlaw = \"mohr_coulomb\"\n[continuum]\nfriction_angle = \"0 deg\"\n";
-    expect_refused(liquid, "4", "is a liquid");
-    EXPECT_EQ(refused(liquid + "cohesion = \"0.1 kPa\"\n"), "accepted");
-    EXPECT_EQ(refused("[anchor]\npresent = false\n" + liquid), "accepted");
-}
-
 }  // namespace
 }  // namespace sandgraph::scene
