@@ -7,10 +7,15 @@ namespace sandgraph::graph {
 
 // Settings of the laws, with their only defaults: the scene's keys of the same names bind to these members.
 
+// What a point's stress follows between two answers of its law: its small-strain stiffness, or that less the
+// shortfall that the last answers showed along the way the point is going.
+enum class Predictor { elastic, secant };
+
 // How true the stress between two answers of a point's law shall be.
 struct VisitSettings {
     double update_tolerance = 0.0025;  // error aimed at of the predicted stress, share of p
     double update_change_max = 0.05;   // largest predicted stress change between two answers, share of p
+    Predictor predictor = Predictor::elastic;
 };
 
 // [rve]: how a packing follows its point, and how often it is asked.
