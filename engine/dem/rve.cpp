@@ -21,7 +21,8 @@ bool usable(const Mat2& F) { return F.allFinite() && F.determinant() > 1e-3 && F
 
 double mean(const Mat2& compression) { return 0.5 * (compression(0, 0) + compression(1, 1)); }
 
-// docs/how_it_works.md (eq. 27a): by which the bounds loosen where the packing has long been strained one way.
+// docs/how_it_works.md (eq. 27a): by which the bounds loosen where the packing has long been strained one
+// way.
 double looseness(const StrainRun& run, const RveOptions& o) {
     return o.steady_factor > 1 ? std::clamp(run.length() / o.steady_strain, 1.0, o.steady_factor) : 1;
 }

@@ -67,15 +67,15 @@ class Rve {
 
   private:
     bool keep_floating(const Mat2& U);
-    RveReport drive(const Mat2& stretch, const Material& material, const RveOptions& options,
-                    Workspace& work, Mat2& rest);
+    RveReport drive(const Mat2& stretch, const Material& material, const RveOptions& options, Workspace& work,
+                    Mat2& rest);
     void settle(const RveOptions& options);
 
     std::shared_ptr<const CompactPacking> initial_;
     std::unique_ptr<CompactPacking> own_;
     bool floating_ = false;
     double angle_ = 0, volume_ = 1;
-    double contact_volume_ = 1;        // J when the packing last carried load
+    double contact_volume_ = 1;  // J when the packing last carried load
     // Deformation that the grains have not followed yet: collected while floating, or the rest of an
     // unfinished update; packing frame.
     Mat2 pending_ = Mat2::Identity();

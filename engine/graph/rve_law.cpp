@@ -104,11 +104,10 @@ void RveLaw::drive(const stress::Batch& batch) {
     jobs_.clear();
     for (const Due& due : due_) {
         const auto p = static_cast<std::size_t>(due.point);
-        jobs_.push_back(
-            {.rve = p,
-             .increment = visits_.collected(p),
-             .observed = !watched_.empty() && watched_[p] != 0,
-             .may_wait = true});
+        jobs_.push_back({.rve = p,
+                         .increment = visits_.collected(p),
+                         .observed = !watched_.empty() && watched_[p] != 0,
+                         .may_wait = true});
     }
     answers_.resize(jobs_.size()), predictions_.resize(jobs_.size());
     pool_->drive(jobs_, answers_);

@@ -7,9 +7,9 @@
 namespace sandgraph::graph {
 namespace {
 
-constexpr double kMemory = 0.5;    // share of what was known that stays
-constexpr double kSameWay = 0.5;   // cosine below which nothing of it does
-constexpr double kLeast = 1e-12;   // a strain below it tells nothing
+constexpr double kMemory = 0.5;   // share of what was known that stays
+constexpr double kSameWay = 0.5;  // cosine below which nothing of it does
+constexpr double kLeast = 1e-12;  // a strain below it tells nothing
 
 Stress scaled(double factor, const Stress& s) { return {factor * s.xx, factor * s.yy, factor * s.xy}; }
 

@@ -37,8 +37,8 @@ class Secants {
 // Here to be inlined: it runs for every point at every step.
 inline Stress Secants::shortfall(std::size_t point, const Mat2& F_inc) {
     Secant& q = all_[point];
-    const double along = q.way.xx * (F_inc(0, 0) - 1) + q.way.yy * (F_inc(1, 1) - 1) +
-                         q.way.xy * (F_inc(0, 1) + F_inc(1, 0));
+    const double along =
+        q.way.xx * (F_inc(0, 0) - 1) + q.way.yy * (F_inc(1, 1) - 1) + q.way.xy * (F_inc(0, 1) + F_inc(1, 0));
     if (!(along > 0)) return {};
     q.along += along;
     return {along * q.slope.xx, along * q.slope.yy, along * q.slope.xy};

@@ -127,13 +127,14 @@ int main(int argc, char** argv) {
     const auto pull = simulation::simulation_of(scene, packings::prepare_ground(scene));
     while (pull->d_over_B() < until) pull->step();
     const Recorded r = record(*pull, steps);
-    std::printf("d/B %.3f: %.0f updates a step, %.1f DEM steps each, longest %.0f\n", until, r.updates / steps,
-                r.total / r.updates - kVisit, r.longest - kVisit);
+    std::printf("d/B %.3f: %.0f updates a step, %.1f DEM steps each, longest %.0f\n", until,
+                r.updates / steps, r.total / r.updates - kVisit, r.longest - kVisit);
     std::printf("workers  speed-up longest first  in arbitrary order  whole step\n");
     for (const int workers : {1, 2, 8, 64, 512}) {
         double arbitrary = 0;
         for (const Costs& costs : r.steps) arbitrary += makespan(shuffled(costs), workers);
-        std::printf("%7d  %22.2f  %18.2f  %10.2f\n", workers, r.total / r.grains(workers), r.total / arbitrary,
+        std::printf("%7d  %22.2f  %18.2f  %10.2f\n", workers, r.total / r.grains(workers),
+                    r.total / arbitrary,
                     r.whole_step(1, pull->state()) / r.whole_step(workers, pull->state()));
     }
     std::printf("step graph, phases that do nothing: %.2f us a step\n", graph_overhead(pull->graph()));
