@@ -52,7 +52,7 @@ class Visits {
     Secants secants_;
 };
 
-// docs/how_it_works.md (eqs. 29, 29a and 30). Here to be inlined: it runs for every point at every step.
+// docs/how_it_works.md (eqs. 29 and 30). Here to be inlined: it runs for every point at every step.
 inline void Visits::predict(std::int32_t point, const PlaneModuli& moduli, const Mat2& F_inc, bool floating,
                             const VisitSettings& settings, double floor, Stress& s) {
     const auto p = static_cast<std::size_t>(point);
