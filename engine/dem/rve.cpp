@@ -42,21 +42,24 @@ int settling_steps(double magnitude, double pressure, const RveOptions& o) {
     return static_cast<int>(std::ceil(std::min<double>(change / o.stress_per_step_max, o.settle_steps)));
 }
 
-// (eq. 27b): what is in motion already needs to settle only as far as it comes to move faster.
-int settling_steps_in_motion(const Mat2& strain, const CompactPacking& before, const RveOptions& o) {
+// (eq. 27b): what is in motion already needs to settle only as far as it comes to move more than `jump_max`
+// times as fast; 0: always.
+int settling_steps_in_motion(const Mat2& strain, const CompactPacking& before, double jump_max,
+                             const RveOptions& o) {
     constexpr double kSameWay = 0.8;  // cosine
     const int all = settling_steps(strain.norm(), mean(before.stress), o);
     const Mat2 rate = 0.5 * (before.L + before.L.transpose());
     const double along = (rate.array() * strain.array()).sum();
-    if (o.rate_jump_max <= 0 || !(along > kSameWay * rate.norm() * strain.norm())) return all;
+    if (jump_max <= 0 || !(along > kSameWay * rate.norm() * strain.norm())) return all;
     return static_cast<int>(
-        std::min<double>(all, std::ceil(strain.norm() / (o.rate_jump_max * rate.norm() * o.time_step))));
+        std::min<double>(all, std::ceil(strain.norm() / (jump_max * rate.norm() * o.time_step))));
 }
 
 // (eq. 27)
-int step_count(const Mat2& strain, double rate, const CompactPacking& before, const RveOptions& o) {
+int step_count(const Mat2& strain, double rate, const CompactPacking& before, double jump_max,
+               const RveOptions& o) {
     const auto driven = static_cast<int>(std::ceil(strain.norm() / (rate * o.time_step)));
-    return std::max({1, o.steps_min, driven, settling_steps_in_motion(strain, before, o)});
+    return std::max({1, o.steps_min, driven, settling_steps_in_motion(strain, before, jump_max, o)});
 }
 
 // `count` steps under the constant gradient L: move, forces, kick. Leaves forces and cell in step, so the
@@ -224,7 +227,10 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     if (crushed(before, stretch)) return {RveStatus::diverged};
     const double rate = looseness(run_, options) * rate_limit(before, material, options),
                  dt = options.time_step;
-    const int all = step_count(strain, rate, before, options);
+    // The rest of an unfinished update would else settle for ever.
+    const bool goes_on = !floating_ && pending_ != Mat2::Identity();
+    const double jump_max = goes_on ? std::max(1.0, options.rate_jump_max) : options.rate_jump_max;
+    const int all = step_count(strain, rate, before, jump_max, options);
     RveReport report;
     report.dem_steps = options.steps_max > 0 ? std::min(all, options.steps_max) : all;
     report.unfinished = report.dem_steps < all;

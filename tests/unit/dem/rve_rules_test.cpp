@@ -180,6 +180,18 @@ TEST_F(RveRules, AnUpdateInPiecesReachesTheSameDeformation) {
     EXPECT_LT((strain(rve) - strain(whole)).norm(), 1e-9);
 }
 
+// Settling is for what begins to move: else a bound below the ten steps of it would never let one end.
+TEST_F(RveRules, TheRestOfAnUpdateDoesNotSettleAgain) {
+    options.inertial_number_max = 1, options.strain_per_step_max = 1, options.steps_min = 1;
+    options.stress_per_step_max = 1e-9, options.steps_max = 4;
+    int steps = 0;
+    RveReport report = update(stretched(1e-6));
+    for (steps = report.dem_steps; report.unfinished && steps < 100; steps += report.dem_steps)
+        report = update(Mat2::Identity());
+    EXPECT_GE(steps, 10);
+    EXPECT_LE(steps, 11);
+}
+
 // A packing that closes again after it has floated: the longest drives of all.
 TEST_F(RveRules, AFloatingPackingComesBackInPieces) {
     while (!rve.floating()) update(of(1 + 2e-4, 0, 0, 1 + 2e-4));

@@ -17,9 +17,6 @@ Mat2 of(double xx, double xy, double yx, double yy) { return (Mat2() << xx, xy, 
 Mat2 biaxial(double e) { return of(1 + e, 0, 0, 1 - e); }
 Mat2 shear(double e) { return of(1, e, e, 1); }
 
-// Of a material that falls short of its elastic stress by `slope` times the strain.
-Stress shortfall_of(double slope, double e) { return {slope * e, -slope * e, 0}; }
-
 TEST(Secants, OfAPathThatGoesOnGiveTheShortfallOfTheLastAnswer) {
     Secants secants(2);
     EXPECT_EQ(secants.shortfall(1, biaxial(1e-5)), Stress{}) << "nothing is known yet";
