@@ -21,8 +21,13 @@ bool usable(const Mat2& F) { return F.allFinite() && F.determinant() > 1e-3 && F
 
 double mean(const Mat2& compression) { return 0.5 * (compression(0, 0) + compression(1, 1)); }
 
-// docs/how_it_works.md (eq. 27): largest strain rate [1/s], bounded by the inertial number and by the strain
-// of one DEM step.
+// docs/how_it_works.md (eq. 27a): by which the bounds loosen where the packing has long been strained one
+// way.
+double looseness(const StrainRun& run, const RveOptions& o) {
+    return o.steady_factor > 1 ? std::clamp(run.length() / o.steady_strain, 1.0, o.steady_factor) : 1;
+}
+
+// (eq. 27): largest strain rate [1/s], bounded by the inertial number and by the strain of one DEM step.
 double rate_limit(const CompactPacking& p, const Material& m, const RveOptions& o) {
     const double pressure = std::max(mean(p.stress), o.pressure_floor);
     const double inertial = o.inertial_number_max * std::sqrt(pressure / m.density) / p.grains->mean_diameter;
@@ -37,10 +42,24 @@ int settling_steps(double magnitude, double pressure, const RveOptions& o) {
     return static_cast<int>(std::ceil(std::min<double>(change / o.stress_per_step_max, o.settle_steps)));
 }
 
+// (eq. 27b): what is in motion already needs to settle only as far as it comes to move more than `jump_max`
+// times as fast; 0: always.
+int settling_steps_in_motion(const Mat2& strain, const CompactPacking& before, double jump_max,
+                             const RveOptions& o) {
+    constexpr double kSameWay = 0.8;  // cosine
+    const int all = settling_steps(strain.norm(), mean(before.stress), o);
+    const Mat2 rate = 0.5 * (before.L + before.L.transpose());
+    const double along = (rate.array() * strain.array()).sum();
+    if (jump_max <= 0 || !(along > kSameWay * rate.norm() * strain.norm())) return all;
+    return static_cast<int>(
+        std::min<double>(all, std::ceil(strain.norm() / (jump_max * rate.norm() * o.time_step))));
+}
+
 // (eq. 27)
-int step_count(double magnitude, double rate, double pressure, const RveOptions& o) {
-    const auto driven = static_cast<int>(std::ceil(magnitude / (rate * o.time_step)));
-    return std::max({1, o.steps_min, driven, settling_steps(magnitude, pressure, o)});
+int step_count(const Mat2& strain, double rate, const CompactPacking& before, double jump_max,
+               const RveOptions& o) {
+    const auto driven = static_cast<int>(std::ceil(strain.norm() / (rate * o.time_step)));
+    return std::max({1, o.steps_min, driven, settling_steps_in_motion(strain, before, jump_max, o)});
 }
 
 // `count` steps under the constant gradient L: move, forces, kick. Leaves forces and cell in step, so the
@@ -171,20 +190,19 @@ RveReport Rve::update(const Mat2& F_inc, const Material& material, const RveOpti
     if (hencky(increment.U).norm() > kLargestIncrement) return {RveStatus::bad_increment};
     RveReport report{RveStatus::floating};
     double frame_turn = increment.angle;
-    if (!floating_) {
-        report = drive(increment.U, material, options, work);
-    } else if (!keep_floating(increment.U)) {
-        const Polar collected = polar(increment.U * pending_);
-        report = drive(collected.U, material, options, work);
+    Mat2 rest = increment.U * pending_;
+    if (!floating_ || !keep_floating(increment.U)) {
+        const Polar collected = polar(rest);
+        report = drive(collected.U, material, options, work, rest);
         frame_turn += collected.angle;
     }
     if (report.status == RveStatus::diverged) return report;
-    pending_ = report.status == RveStatus::floating ? Mat2(increment.U * pending_) : Mat2(Mat2::Identity());
+    pending_ = rest;
     floating_ = report.status == RveStatus::floating;
     angle_ += frame_turn;
     volume_ *= increment.U.determinant();
     settle(options);
-    if (floating_) report.status = RveStatus::floating;
+    if (floating_) report.status = RveStatus::floating, report.unfinished = false;
     SG_ENSURE(volume_ > 0 && std::isfinite(angle_));
     SG_ENSURE(packing().stress.allFinite() && (!floating_ || packing().stress.isZero(0)));
     return report;
@@ -199,15 +217,24 @@ bool Rve::keep_floating(const Mat2& U) {
     return volume_ * U.determinant() > contact_volume_ * (1 + std::min(kDilationMost, kDilation * shear));
 }
 
+// `rest`: of the stretch, once it is driven.
 RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOptions& options,
-                     Workspace& work) {
-    if (hencky(stretch).norm() < kRoundOff) return {};
+                     Workspace& work, Mat2& rest) {
+    const Mat2 strain = hencky(stretch);
+    rest.setIdentity();
+    if (strain.norm() < kRoundOff) return {};
     const CompactPacking& before = packing();
     if (crushed(before, stretch)) return {RveStatus::diverged};
-    const double rate = rate_limit(before, material, options), dt = options.time_step;
+    const double rate = looseness(run_, options) * rate_limit(before, material, options),
+                 dt = options.time_step;
+    // The rest of an unfinished update would else settle for ever.
+    const bool goes_on = !floating_ && pending_ != Mat2::Identity();
+    const double jump_max = goes_on ? std::max(1.0, options.rate_jump_max) : options.rate_jump_max;
+    const int all = step_count(strain, rate, before, jump_max, options);
     RveReport report;
-    report.dem_steps = step_count(hencky(stretch).norm(), rate, mean(before.stress), options);
-    const Mat2 L = (root(stretch, report.dem_steps) - Mat2::Identity()) / dt;  // (eq. 26)
+    report.dem_steps = options.steps_max > 0 ? std::min(all, options.steps_max) : all;
+    report.unfinished = report.dem_steps < all;
+    const Mat2 L = (root(stretch, all) - Mat2::Identity()) / dt;  // (eq. 26)
     report.inertial_number =
         L.norm() * before.grains->mean_diameter *
         std::sqrt(material.density / std::max(mean(before.stress), options.pressure_floor));
@@ -223,6 +250,9 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     }
     pack(work.state, *own_);
     own_->stress = stress;
+    const double share = double(report.dem_steps) / all;
+    run_.add(share * strain);
+    if (report.unfinished) rest = power(stretch, 1 - share);
     SG_ENSURE(report.dem_steps >= 1 && own_->grains == initial_->grains);
     return report;
 }
@@ -231,7 +261,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
 void Rve::settle(const RveOptions& options) {
     if (floating_ || !own_) return;
     const double p = mean(own_->stress);
-    if (p > options.float_pressure) contact_volume_ = volume_;
+    if (p > options.float_pressure) contact_volume_ = volume_ / pending_.determinant();
     if (p > options.float_pressure || volume_ < contact_volume_ * (1 + options.float_opening)) return;
     own_->stress.setZero(), own_->L.setZero(), own_->LH.setZero();
     std::fill(own_->velocity.begin(), own_->velocity.end(), 0.0f);
@@ -239,7 +269,7 @@ void Rve::settle(const RveOptions& options) {
 }
 
 double Rve::strain_per_step(const Material& material, const RveOptions& options) const {
-    return rate_limit(packing(), material, options) * options.time_step;
+    return looseness(run_, options) * rate_limit(packing(), material, options) * options.time_step;
 }
 
 Mat2 Rve::stress() const { return turned(packing().stress, angle_); }
@@ -251,7 +281,7 @@ double Rve::porosity() const {
 void Rve::save(ByteWriter& out) const {
     out.put(own_ != nullptr), out.put(floating_);
     out.put(angle_), out.put(volume_), out.put(contact_volume_);
-    put(out, pending_);
+    put(out, pending_), run_.save(out);
     if (own_) save_packing(*own_, out);
 }
 
@@ -259,7 +289,7 @@ void Rve::load(ByteReader& in) {
     bool own = false;
     in.take(own), in.take(floating_);
     in.take(angle_), in.take(volume_), in.take(contact_volume_);
-    take(in, pending_);
+    take(in, pending_), run_.load(in);
     require_state(std::isfinite(angle_) && volume_ > 0 && contact_volume_ > 0 && pending_.allFinite(),
                   "numbers");
     require_state(own || !floating_, "flags");  // only a packing of its own opens up

@@ -10,6 +10,7 @@
 #include "dem/packing/observables.hpp"
 #include "dem/packing/packing.hpp"
 #include "dem/rve_options.hpp"
+#include "dem/strain_run.hpp"
 
 namespace sandgraph::dem {
 
@@ -26,6 +27,7 @@ struct RveReport {
     RveStatus status = RveStatus::ok;
     int dem_steps = 0;
     double inertial_number = 0;
+    bool unfinished = false;  // steps_max was reached: the rest of the strain is driven with the next update
 };
 
 // Scratch memory of one thread; RVEs visit it one after the other.
@@ -65,16 +67,19 @@ class Rve {
 
   private:
     bool keep_floating(const Mat2& U);
-    RveReport drive(const Mat2& stretch, const Material& material, const RveOptions& options,
-                    Workspace& work);
+    RveReport drive(const Mat2& stretch, const Material& material, const RveOptions& options, Workspace& work,
+                    Mat2& rest);
     void settle(const RveOptions& options);
 
     std::shared_ptr<const CompactPacking> initial_;
     std::unique_ptr<CompactPacking> own_;
     bool floating_ = false;
     double angle_ = 0, volume_ = 1;
-    double contact_volume_ = 1;        // J when the packing last carried load
-    Mat2 pending_ = Mat2::Identity();  // deformation collected while floating, packing frame
+    double contact_volume_ = 1;  // J when the packing last carried load
+    // Deformation that the grains have not followed yet: collected while floating, or the rest of an
+    // unfinished update; packing frame.
+    Mat2 pending_ = Mat2::Identity();
+    StrainRun run_;
 };
 
 // The packing behind a material point as it lies in the lab frame (the Rve keeps it in a frame that turns

@@ -45,4 +45,9 @@ Mat2 root(const Mat2& U, int n) {
     return isotropic(U, [n](double x) { return std::exp(std::log(x) / n); });
 }
 
+Mat2 power(const Mat2& U, double exponent) {
+    SG_EXPECT(U.determinant() > 0 && U.trace() > 0);
+    return isotropic(U, [exponent](double x) { return std::exp(std::log(x) * exponent); });
+}
+
 }  // namespace sandgraph::dem

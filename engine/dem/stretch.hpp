@@ -15,6 +15,7 @@ Mat2 rotation(double angle);
 // log U of a symmetric positive-definite stretch (Hencky strain), and U^(1/n).
 Mat2 hencky(const Mat2& U);
 Mat2 root(const Mat2& U, int n);
+Mat2 power(const Mat2& U, double exponent);  // U^exponent
 
 // Turns a tensor given in the rotated frame into the fixed one: R s R^T.
 inline Mat2 turned(const Mat2& s, double angle) {

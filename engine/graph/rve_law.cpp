@@ -104,8 +104,10 @@ void RveLaw::drive(const stress::Batch& batch) {
     jobs_.clear();
     for (const Due& due : due_) {
         const auto p = static_cast<std::size_t>(due.point);
-        jobs_.push_back(
-            {.rve = p, .increment = visits_.collected(p), .observed = !watched_.empty() && watched_[p] != 0});
+        jobs_.push_back({.rve = p,
+                         .increment = visits_.collected(p),
+                         .observed = !watched_.empty() && watched_[p] != 0,
+                         .may_wait = true});
     }
     answers_.resize(jobs_.size()), predictions_.resize(jobs_.size());
     pool_->drive(jobs_, answers_);
@@ -119,9 +121,13 @@ void RveLaw::drive(const stress::Batch& batch) {
 void RveLaw::settle(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = due_[slot].point;
     SG_EXPECT(visits_.due(p));
+    predictions_[slot] = {};
+    if (answers_[slot].report.unfinished) return visits_.carry(p);
     const Stress now = tension_positive(answers_[slot].stress);
     const double reference = reference_pressure(now, setup_.options.pressure_floor);
-    const double error = norm(difference(now, batch.stress[p])) / reference;
+    const Stress beyond = difference(now, batch.stress[p]);
+    const double error = norm(beyond) / reference;
+    visits_.learn(p, beyond, setup_.visits);
     predictions_[slot] = {error, visits_.answered(p, reference, error, setup_.visits)};
     batch.stress[p] = now;
 }

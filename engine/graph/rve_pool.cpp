@@ -23,7 +23,8 @@ class LocalPool final : public RvePool {
   public:
     LocalPool(const std::vector<std::shared_ptr<const dem::CompactPacking>>& initial,
               const dem::Material& material, const dem::RveOptions& options)
-        : material_(material), options_(options) {
+        : material_(material), options_(options), unbounded_(options) {
+        unbounded_.steps_max = 0;
         rves_.reserve(initial.size());
         for (const auto& packing : initial) rves_.emplace_back(packing);
         floating_.assign(rves_.size(), 0);
@@ -70,7 +71,8 @@ class LocalPool final : public RvePool {
     RveAnswer run(const RveJob& job, dem::Workspace& work) {
         RveAnswer out;
         out.caught_up = !job.path || catch_up(job, out.report, work);
-        if (out.caught_up && job.increment) advance(job.rve, *job.increment, out.report, work);
+        const dem::RveOptions& options = job.may_wait ? options_ : unbounded_;
+        if (out.caught_up && job.increment) advance(job.rve, *job.increment, options, out.report, work);
         const dem::Rve& rve = rves_[job.rve];
         floating_[job.rve] = rve.floating();
         out.stress = rve.stress(), out.volume_ratio = rve.volume_ratio();
@@ -82,14 +84,16 @@ class LocalPool final : public RvePool {
     bool catch_up(const RveJob& job, dem::RveReport& report, dem::Workspace& work) {
         while (!job.path->done() && report.dem_steps < job.path_steps) {
             const double budget = (job.path_steps - report.dem_steps) * strain_per_step(job.rve);
-            advance(job.rve, job.path->advance(std::min(budget, kLargestPiece)), report, work);
+            advance(job.rve, job.path->advance(std::min(budget, kLargestPiece)), unbounded_, report, work);
         }
         return job.path->done();
     }
 
-    void advance(std::size_t rve, const Mat2& F_inc, dem::RveReport& sum, dem::Workspace& work) {
-        const dem::RveReport r = rves_[rve].update(F_inc, material_, options_, work);
+    void advance(std::size_t rve, const Mat2& F_inc, const dem::RveOptions& options, dem::RveReport& sum,
+                 dem::Workspace& work) {
+        const dem::RveReport r = rves_[rve].update(F_inc, material_, options, work);
         sum.dem_steps += r.dem_steps;
+        sum.unfinished = r.unfinished;
         sum.inertial_number = std::max(sum.inertial_number, r.inertial_number);
         if (!failed(sum.status)) sum.status = r.status;
     }
@@ -100,7 +104,7 @@ class LocalPool final : public RvePool {
     }
 
     dem::Material material_;
-    dem::RveOptions options_;
+    dem::RveOptions options_, unbounded_;
     std::vector<dem::Rve> rves_;
     tbb::enumerable_thread_specific<dem::Workspace> workspaces_;  // scratch, no state
 };

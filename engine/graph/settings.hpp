@@ -7,10 +7,15 @@ namespace sandgraph::graph {
 
 // Settings of the laws, with their only defaults: the scene's keys of the same names bind to these members.
 
+// What a point's stress follows between two answers of its law: its small-strain stiffness, or that less the
+// shortfall that the last answers showed along the way the point is going.
+enum class Predictor { elastic, secant };
+
 // How true the stress between two answers of a point's law shall be.
 struct VisitSettings {
-    double update_tolerance = 0.0025;  // error aimed at of the predicted stress, share of p
-    double update_change_max = 0.05;   // largest predicted stress change between two answers, share of p
+    double update_tolerance = 0.005;  // error aimed at of the predicted stress, share of p
+    double update_change_max = 0.2;   // largest predicted stress change between two answers, share of p
+    Predictor predictor = Predictor::secant;
 };
 
 // [rve]: how a packing follows its point, and how often it is asked.
@@ -48,7 +53,9 @@ struct AuditSettings {
 
 // All of a screening law's settings but those of its grains.
 struct ScreeningSettings {
-    VisitSettings visits{.update_tolerance = 0.01};  // [surrogate]: of the surrogate, not of the grains
+    // [surrogate]: of the surrogate, not of the grains.
+    VisitSettings visits{
+        .update_tolerance = 0.01, .update_change_max = 0.05, .predictor = Predictor::elastic};
     GateSettings gate;
     HandOverSettings hand_over;
     AuditSettings audit;

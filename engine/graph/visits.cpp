@@ -1,6 +1,7 @@
 #include "graph/visits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/contracts.hpp"
@@ -25,7 +26,9 @@ Visits::Visits(std::size_t points)
       change_(points),
       admissible_(points, 0),
       waited_(points, 0),
-      due_(points, 0) {}
+      due_(points, 0),
+      carried_(points, 0),
+      secants_(points) {}
 
 bool Visits::answered(std::int32_t point, double reference, double error, const VisitSettings& settings) {
     const auto p = static_cast<std::size_t>(point);
@@ -33,16 +36,36 @@ bool Visits::answered(std::int32_t point, double reference, double error, const 
     admissible_[p] = next_admissible(norm(change_[p]) / reference, error, settings);
     collected_[p].setIdentity();
     change_[p] = {};
+    carried_[p] = 0;
     return std::exchange(waited_[p], std::uint8_t{0}) != 0;
+}
+
+void Visits::learn(std::int32_t point, const Stress& beyond, const VisitSettings& settings) {
+    const auto p = static_cast<std::size_t>(point);
+    if (settings.predictor == Predictor::elastic) return;
+    // Of what was carried over the strain is not collected any more.
+    if (carried_[p] || !std::isfinite(norm(beyond)))
+        secants_.forget(p);
+    else
+        secants_.learn(p, collected_[p], beyond);
+}
+
+void Visits::carry(std::int32_t point) {
+    const auto p = static_cast<std::size_t>(point);
+    SG_EXPECT(due_[p]);
+    collected_[p].setIdentity();
+    carried_[p] = waited_[p] = 1;
 }
 
 void Visits::save(ByteWriter& out) const {
     out.put(change_), out.put(admissible_), out.put(waited_);
+    out.put(carried_), secants_.save(out);
     for (const Mat2& F : collected_) out.put(std::span<const double>(F.data(), 4));
 }
 
 void Visits::load(ByteReader& in) {
     in.take_same(change_), in.take_same(admissible_), in.take_same(waited_);
+    in.take_same(carried_), secants_.load(in);
     for (Mat2& F : collected_) in.take(std::span<double>(F.data(), 4));
 }
 

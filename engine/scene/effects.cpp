@@ -71,6 +71,9 @@ constexpr auto scene_rules = std::to_array<EffectRule>({
     {"audit.every", "audit.share", is_not, "0", no_audit},
     {"surrogate.update_change_max", "surrogate.update_tolerance", is_not, "0", no_prediction},
     {"rve.update_change_max", "rve.update_tolerance", is_not, "0", no_prediction},
+    {"rve.predictor", "rve.update_tolerance", is_not, "0", no_prediction},
+    {"rve.steady_strain", "rve.steady_factor", is_not, "1", "no effect: {is}, the bounds never loosen",
+     "leave it out, or write steady_factor = 2"},
 });
 
 // Of scenes and recipes.
@@ -92,6 +95,8 @@ constexpr auto element_test_rules = std::to_array<EffectRule>({
      "leave it out, or write mode = \"fast\""},
     {"rve.update_tolerance", "", is, "", every_increment},
     {"rve.update_change_max", "", is, "", every_increment},
+    {"rve.predictor", "", is, "", every_increment},
+    {"rve.steps_max", "", is, "", every_increment},
 });
 
 constexpr auto probe_rules = std::to_array<EffectRule>({
@@ -100,6 +105,8 @@ constexpr auto probe_rules = std::to_array<EffectRule>({
     {"paths.dither_rows", "paths.dither", is_not, "0", no_paths},
     {"rve.update_tolerance", "", is, "", every_increment},
     {"rve.update_change_max", "", is, "", every_increment},
+    {"rve.predictor", "", is, "", every_increment},
+    {"rve.steps_max", "", is, "", every_increment},
 });
 
 constexpr auto train_rules = std::to_array<EffectRule>({

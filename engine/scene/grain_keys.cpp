@@ -87,9 +87,19 @@ void add_stepping_keys(KeyTable& keys, graph::RveSettings& r) {
              "error aimed at of the stress predicted between updates, share of p; 0: no prediction");
     rve.real("update_change_max", r.update_change_max, "", at_least(0),
              "largest predicted stress change between updates, share of p");
+    rve.choice("predictor", r.predictor, {"elastic", "secant"},
+               "stress between updates: by small-strain stiffness, or less what last answers fell short");
     rve.integer("steps_min", r.steps_min, 1, "DEM steps of an update at least");
     rve.real("stress_per_step_max", r.stress_per_step_max, "", above(0),
              "bound on a DEM step's elastic stress change, share of p, in updates of up to 10 steps");
+    rve.real("rate_jump_max", r.rate_jump_max, "", at_least(0),
+             "an update that goes on as the last one settles only if its rate is more times that; 0: always");
+    rve.real("steady_factor", r.steady_factor, "", at_least(1),
+             "by which the bounds on I and on a step's strain loosen at most since the last reversal");
+    rve.real("steady_strain", r.steady_strain, "", above(0),
+             "strain since the last reversal from which they do");
+    rve.integer("steps_max", r.steps_max, 0,
+                "DEM steps of an update at most, the rest in the next MPM steps; 0: no bound");
 }
 
 void complete_grains(const KeyTable& keys, Grains& g) {

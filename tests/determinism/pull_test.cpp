@@ -47,11 +47,11 @@ TEST_P(Pull, GoesOnBitForBitFromItsArchive) {
     EXPECT_EQ(support::digest(*whole), support::digest(*second));
 }
 
-constexpr const char* kModes[] = {"Full", "Screening", "WideFull"};
+constexpr const char* kModes[] = {"Full", "Screening", "WideFull", "Carrying"};
 
 INSTANTIATE_TEST_SUITE_P(Modes, Pull,
                          testing::Values(support::small_pull, support::small_screening_pull,
-                                         support::wide_pull),
+                                         support::wide_pull, support::small_carrying_pull),
                          [](const auto& mode) { return kModes[mode.index]; });
 
 // Else the tests above would see one thread move the ground and no task update a packing.
@@ -63,6 +63,18 @@ TEST(WidePull, IsLongEnoughForItsBandsToRunAtOnce) {
     EXPECT_GE(order.bands(), 6u);  // of two colours
     EXPECT_GT(order.near.size(), 0u);
     EXPECT_GT(dynamic_cast<const graph::RveLaw&>(*pull->state().law).owning(), 4u);
+}
+
+// Else the tests above would see no update that goes on in the next step.
+TEST(SmallCarryingPull, CutsUpdatesShort) {
+    const auto pull = support::small_carrying_pull();
+    int unfinished = 0;
+    for (int k = 0; k < kSteps; ++k) {
+        pull->step();
+        const auto& law = dynamic_cast<const graph::RveLaw&>(*pull->state().law);
+        for (const graph::RveAnswer& a : law.last_answers()) unfinished += a.report.unfinished;
+    }
+    EXPECT_GT(unfinished, 10);
 }
 
 // Else the tests above would not see the hand-over.

@@ -59,6 +59,14 @@ std::unique_ptr<stress::Law> full_law(const mpm::Points& points) {
     return std::make_unique<graph::RveLaw>(grains_of(points));
 }
 
+// Updates go on in the next steps, bounds and settling follow what the packing did before.
+std::unique_ptr<stress::Law> carrying_law(const mpm::Points& points) {
+    graph::RveLawSetup setup = grains_of(points);
+    setup.options.steps_max = 4, setup.options.rate_jump_max = 2;
+    setup.options.steady_factor = 2, setup.options.steady_strain = 1e-5;
+    return std::make_unique<graph::RveLaw>(std::move(setup));
+}
+
 std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
     graph::ScreeningSetup setup;
     setup.grains = grains_of(points);
@@ -92,6 +100,7 @@ std::unique_ptr<simulation::Simulation> pull_with(const Extent& extent, const si
 
 std::unique_ptr<simulation::Simulation> small_pull() { return pull_with(small, full_law); }
 std::unique_ptr<simulation::Simulation> small_screening_pull() { return pull_with(small, screening_law); }
+std::unique_ptr<simulation::Simulation> small_carrying_pull() { return pull_with(small, carrying_law); }
 std::unique_ptr<simulation::Simulation> wide_pull() { return pull_with(wide, full_law); }
 
 std::string digest(const simulation::Simulation& pull) {

@@ -7,6 +7,8 @@ namespace sandgraph::support {
 
 // A pull that takes a second: 8 x 8 cells of 0.25 m, a packing of 100 grains at every point, plate 1 m deep.
 std::unique_ptr<simulation::Simulation> small_pull();
+// With all rules of visits on that are off by default.
+std::unique_ptr<simulation::Simulation> small_carrying_pull();
 
 // The same with a closed-form surrogate, a gate that some points pass, and every fourth point audited.
 std::unique_ptr<simulation::Simulation> small_screening_pull();

@@ -32,6 +32,13 @@ bool finite(const stress::SurrogateAnswer& a) {
            std::isfinite(a.spread) && std::isfinite(a.distance);
 }
 
+// How far predictions of grains by their secant came true tells nothing of the surrogate's, nor the other way
+// round: whoever takes over is asked soon. (Elastic ones are alike.)
+void start_anew(Visits& visits, std::int32_t point, double reference, const VisitSettings& grains,
+                const VisitSettings& next) {
+    if (grains.predictor == Predictor::secant) visits.answered(point, reference, 1, next);
+}
+
 // A NaN compares as false.
 bool usable(const stress::SurrogateAnswer& answer, double largest_spread) {
     return std::isfinite(norm(answer.stress)) && answer.spread <= largest_spread;
@@ -78,10 +85,16 @@ void ScreeningLaw::settle_grains(const stress::Batch& batch) {
 
 void ScreeningLaw::settle_grain_answer(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = jobs_[slot].point;
+    if (rve_answers_[slot].report.unfinished) {
+        visits_.carry(p);
+        return counters_.count(rve_answers_[slot].report, false, 0);
+    }
     const Stress by_grains = tension_positive(rve_answers_[slot].stress);
     const Stress now = blend_.on_top_of(by_grains, p);
     const double reference = reference_pressure(by_grains, floor());
-    const double error = norm(difference(now, batch.stress[p])) / reference;
+    const Stress beyond = difference(now, batch.stress[p]);
+    const double error = norm(beyond) / reference;
+    visits_.learn(p, beyond, setup_.grains.visits);
     batch.stress[p] = now;
     counters_.count(rve_answers_[slot].report, visits_.answered(p, reference, error, setup_.grains.visits),
                     error);
@@ -222,6 +235,7 @@ void ScreeningLaw::switch_ready(const stress::Batch& batch) {
         blend_.start(p, jump);
         modes_.apply(p, ModeEvent::handed_over);
         const double reference = reference_pressure(by_grains, floor());
+        start_anew(visits_, p, reference, setup_.grains.visits, setup_.grains.visits);
         note({log_.counters.steps, batch.around.d_over_B, p, modes_.reason(p), norm(jump) / reference});
     }
 }
@@ -237,6 +251,7 @@ void ScreeningLaw::hand_back(const stress::Batch& batch) {
         blend_.start(p, jump);
         modes_.apply(p, ModeEvent::flows);
         const double reference = reference_pressure(batch.stress[p], floor());
+        start_anew(visits_, p, reference, setup_.grains.visits, setup_.visits);
         note({log_.counters.steps, batch.around.d_over_B, p, Reason::critical_state, norm(jump) / reference});
         // Its audit goes on with the grains that have answered till now, whose stress it still has.
         if (const std::int32_t place = audit_.place(p); place >= 0)

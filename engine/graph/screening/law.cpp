@@ -180,6 +180,7 @@ RveJob ScreeningLaw::rve_job(const Job& job) {
     RveJob out;
     out.rve = p;
     if (visits_.due(job.point)) out.increment = visits_.collected(p);
+    out.may_wait = job.task == Task::answer;  // the others are compared at the strain that they were given
     if (job.task == Task::replay) out.path = &paths_[p], out.path_steps = setup_.hand_over.replay_steps;
     if (job.task == Task::audit) {
         out.rve = audit_rve(audit_.place(p));

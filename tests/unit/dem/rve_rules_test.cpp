@@ -118,6 +118,100 @@ TEST_F(RveRules, AFloatingPackingThatIsShearedIsLookedAtEarlier) {
     EXPECT_LE(closing, 4);
 }
 
+// A packing that is strained one way for long may be driven faster, until it turns.
+TEST_F(RveRules, BoundsLoosenWithTheStrainOneWayAndTightenAfterAReversal) {
+    options.steady_factor = 2, options.steady_strain = 1e-3, options.inertial_number_max = 1;
+    const double tight = options.strain_per_step_max;
+    const auto drive = [&](double e, int times) {
+        for (int k = 0; k < times; ++k) update(stretched(e));
+        return rve.strain_per_step(material, options) / tight;
+    };
+    EXPECT_EQ(drive(2e-4, 3), 1);
+    EXPECT_NEAR(drive(2e-4, 3), 1.4, 0.05) << "6 times 2.8e-4, the first of which has no way to go on yet";
+    EXPECT_EQ(drive(2e-4, 8), 2) << "no further";
+    EXPECT_EQ(drive(-2e-4, 1), 1);
+    options.steady_factor = 1;
+    EXPECT_EQ(drive(2e-4, 20), 1);
+}
+
+TEST_F(RveRules, NoiseIsNoWay) {
+    options.steady_factor = 2, options.steady_strain = 1e-4, options.inertial_number_max = 1;
+    for (int k = 0; k < 400; ++k) update(stretched(k % 2 ? 1e-6 : -1e-6));
+    EXPECT_EQ(rve.strain_per_step(material, options), options.strain_per_step_max);
+}
+
+// At the stress that a step may change by a short update takes ten steps; what goes on as before needs none
+// of them, what turns or goes three times as fast some or all.
+TEST_F(RveRules, OnlyWhatChangesItsMotionSettles) {
+    options.inertial_number_max = 1, options.strain_per_step_max = 1, options.steps_min = 1;
+    options.stress_per_step_max = 1e-9, options.rate_jump_max = 2.1;
+    const double e = 1e-6;
+    EXPECT_EQ(update(stretched(e)).dem_steps, 10) << "from rest";
+    EXPECT_EQ(update(stretched(e)).dem_steps, 5) << "twice as fast";
+    EXPECT_EQ(update(stretched(e)).dem_steps, 3);
+    EXPECT_EQ(update(stretched(-e)).dem_steps, 10) << "back";
+    options.rate_jump_max = 0;
+    EXPECT_EQ(update(stretched(-e)).dem_steps, 10) << "always";
+}
+
+TEST_F(RveRules, AnUpdateInPiecesReachesTheSameDeformation) {
+    const Mat2 F = rotation(0.2) * of(1 + 1e-3, 4e-4, 2e-4, 1 - 5e-4),
+               more = rotation(-0.1) * stretched(1e-4);
+    options.inertial_number_max = 1;
+    Rve whole(support::public_packing().packing);
+    whole.update(F, material, options, work);
+    const int all = whole.update(more, material, options, work).dem_steps;
+    ASSERT_GT(all, 10);
+    options.steps_max = 16;
+    RveReport report = update(F);
+    EXPECT_EQ(report.dem_steps, 16);
+    EXPECT_TRUE(report.unfinished);
+    report = update(more);  // new strain on top of the rest
+    int pieces = 2;
+    for (; report.unfinished && pieces < 50; ++pieces) report = update(Mat2::Identity());
+    EXPECT_GE(pieces, 9);
+    EXPECT_LE(pieces, 11);
+    EXPECT_NEAR(rve.porosity(), whole.porosity(), 1e-13);
+    EXPECT_NEAR(rve.volume_ratio(), whole.volume_ratio(), 1e-13);
+    const auto strain = [](const Rve& r) {  // of the cell, which is not reduced over so little
+        const Mat2 C = rotation(r.angle()) * r.packing().H;
+        return Mat2(C * support::public_packing().packing->H.inverse());
+    };
+    EXPECT_LT((strain(rve) - strain(whole)).norm(), 1e-9);
+}
+
+// Settling is for what begins to move: else a bound below the ten steps of it would never let one end.
+TEST_F(RveRules, TheRestOfAnUpdateDoesNotSettleAgain) {
+    options.inertial_number_max = 1, options.strain_per_step_max = 1, options.steps_min = 1;
+    options.stress_per_step_max = 1e-9, options.steps_max = 4;
+    int steps = 0;
+    RveReport report = update(stretched(1e-6));
+    for (steps = report.dem_steps; report.unfinished && steps < 100; steps += report.dem_steps)
+        report = update(Mat2::Identity());
+    EXPECT_GE(steps, 10);
+    EXPECT_LE(steps, 11);
+}
+
+// A packing that closes again after it has floated: the longest drives of all.
+TEST_F(RveRules, AFloatingPackingComesBackInPieces) {
+    while (!rve.floating()) update(of(1 + 2e-4, 0, 0, 1 + 2e-4));
+    update(of(1.01, 0, 0, 1.01));
+    options.steps_max = 50, options.inertial_number_max = 1;
+    const double open = rve.porosity();
+    RveReport report = update(of(0.98, 0, 0, 0.98));
+    const double closed = rve.porosity();
+    EXPECT_NEAR(1 - closed, (1 - open) / (0.98 * 0.98), 1e-12) << "what is not driven yet is seen";
+    EXPECT_EQ(report.dem_steps, 50);
+    EXPECT_TRUE(report.unfinished);
+    EXPECT_FALSE(rve.floating());
+    int pieces = 1;
+    for (; report.unfinished && pieces < 1000; ++pieces) report = update(Mat2::Identity());
+    EXPECT_GT(pieces, 20);
+    EXPECT_FALSE(report.unfinished);
+    EXPECT_GT(pressure(), 1000);
+    EXPECT_NEAR(rve.porosity(), closed, 1e-9);
+}
+
 TEST(CriticalTimeStep, OfEqualDisksWithSixNeighboursIsClosedForm) {
     Material m;
     const std::vector<double> r{0.005, 0.005};

@@ -74,8 +74,9 @@ TEST(StudySetting, EachVariationDiffersFromTheDefaultAndFromTheOthers) {
                              s.strain_per_step_max == t.strain_per_step_max &&
                              s.update_tolerance == t.update_tolerance &&
                              s.stress_per_step_max == t.stress_per_step_max &&
-                             s.pressure_floor == t.pressure_floor &&
-                             s.update_change_max == t.update_change_max)
+                             s.pressure_floor == t.pressure_floor && s.predictor == t.predictor &&
+                             s.rate_jump_max == t.rate_jump_max && s.steady_factor == t.steady_factor &&
+                             s.steps_max == t.steps_max && s.update_change_max == t.update_change_max)
                     << settings[a].key << settings[a].value << settings[b].key << settings[b].value;
             }
     }

@@ -67,6 +67,9 @@ TEST(KeyWithoutEffect, BesideASwitchThatIsOffIsRefused) {
     expect_idle("[gate]\nacoustic_from = 0.8\n", "s.toml:2", "is off");
     expect_idle("[audit]\nshare = 0\nseed = 3\n", "s.toml:3", "nothing is audited");
     expect_idle("[rve]\nupdate_tolerance = 0\nupdate_change_max = 0.1\n", "s.toml:3", "nothing is predicted");
+    expect_idle("[rve]\nupdate_tolerance = 0\npredictor = \"elastic\"\n", "s.toml:3", "nothing is predicted");
+    expect_idle("[rve]\nsteady_strain = 0.02\n", "s.toml:2", "never loosen");
+    EXPECT_EQ(refused("[rve]\nsteady_factor = 2\nsteady_strain = 0.02\n"), "accepted");
     EXPECT_EQ(refused("[gate]\nactive = false\nblend_steps = 100\n"), "accepted");
 }
 

@@ -111,9 +111,11 @@ TEST_F(ElementTestFile, RefusesSteppingThatItDoesNotFollow) {
                   .rfind("t.toml:7: rve.inertial_number_max", 0),
               0u);
     EXPECT_EQ(refused(std::string("kind = \"path\"\n") + segment + stepping), "accepted");
-    EXPECT_NE(refused(std::string("kind = \"path\"\n") + segment + "[rve]\nupdate_tolerance = 0.1\n")
-                  .find("every increment"),
-              std::string::npos);
+    for (const char* key : {"update_tolerance = 0.1", "predictor = \"elastic\"", "steps_max = 40"})
+        EXPECT_NE(refused(std::string("kind = \"path\"\n") + segment + "[rve]\n" + key + "\n")
+                      .find("every increment"),
+                  std::string::npos)
+            << key;
 }
 
 TEST_F(ElementTestFile, RefusesKeysOfAnotherKind) {

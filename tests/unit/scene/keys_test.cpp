@@ -39,6 +39,24 @@ TEST(SceneKeys, AnEmptySceneIsTheDefault) {
     EXPECT_EQ(scene.ground.grains.material.friction_angle, dem::Material{}.friction_angle);
 }
 
+TEST(SceneKeys, OfVisitsAreRead) {
+    const graph::RveSettings usual = parse_scene("", "s.toml").ground.rve,
+                             rve = parse_scene(
+                                       "[rve]\npredictor = \"elastic\"\nrate_jump_max = 2\n"
+                                       "steady_factor = 3\nsteady_strain = 0.02\nsteps_max = 40\n",
+                                       "s.toml")
+                                       .ground.rve;
+    EXPECT_EQ(usual.predictor, graph::Predictor::secant);
+    EXPECT_EQ(usual.steps_max, 0);
+    EXPECT_EQ(rve.predictor, graph::Predictor::elastic);
+    EXPECT_EQ(rve.rate_jump_max, 2);
+    EXPECT_EQ(rve.steady_factor, 3);
+    EXPECT_EQ(rve.steady_strain, 0.02);
+    EXPECT_EQ(rve.steps_max, 40);
+    EXPECT_NE(refused("[rve]\nsteady_factor = 0.5").find("rve.steady_factor"), std::string::npos);
+    EXPECT_NE(refused("[rve]\npredictor = \"secand\"").find("did you mean"), std::string::npos);
+}
+
 TEST(SceneKeys, UnknownOnesAreRefusedWithTheNearest) {
     EXPECT_EQ(
         refused("[domain]\nwidht = \"3 m\""),
