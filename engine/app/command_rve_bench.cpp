@@ -16,7 +16,7 @@ struct Options {
     std::string packing;
     int grains = 400, steps = 20000;
     bool reference = false, growth = false;
-    std::string target;
+    std::string target, kernel = "double";
 };
 
 Mat2 simple_shear(double rate) { return (Mat2() << 0, rate, 0, 0).finished(); }
@@ -36,10 +36,14 @@ io::PackingRecord packing_of(const Options& options) {
     return {.packing = packings::base_packing(grains), .material = grains.material, .recipe = {}};
 }
 
+dem::Kernel kernel_of(const Options& options) {
+    if (options.reference) return dem::Kernel::reference;
+    return options.kernel == "mixed" ? dem::Kernel::mixed : dem::Kernel::fast;
+}
+
 // Time of a DEM step [us]; the contacts at its end.
 std::pair<double, int> measure(const Options& options, const io::PackingRecord& record, int steps) {
-    const auto kernel = options.reference ? dem::Kernel::reference : dem::Kernel::fast;
-    const auto assembly = dem::make_assembly(kernel, record.packing, record.material);
+    const auto assembly = dem::make_assembly(kernel_of(options), record.packing, record.material);
     const dem::GrainScale grains = dem::grain_scale(record.packing, record.material);
     const double time_step = grains.time_step;
     const Mat2 L = simple_shear(0.4 / grains.slowness);
@@ -99,6 +103,9 @@ void add_rve_bench(CLI::App& rve) {
     bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::Range(1, 1000000000));
     CLI::Option* reference = bench->add_flag("--reference", options->reference,
                                              "the published step instead of the optimised kernel");
+    bench->add_option("--kernel", options->kernel, "precision of the optimised kernel: double, mixed or both")
+        ->check(CLI::IsMember({"double", "mixed", "both"}))
+        ->excludes(reference);
     CLI::Option* growth = bench->add_flag("--growth", options->growth,
                                           "time against the number of grains: 100, 400, 1600, 10000");
     growth->excludes(packing, grains);

@@ -5,6 +5,9 @@
 
 namespace sandgraph::dem {
 
+// Kernel of the visits: every digit double, or the faster one of dem/mixed, whose forces are float.
+enum class RveKernel { double_precision, mixed };
+
 // How an RVE follows its material point: work follows strain, not step count (DESIGN section 4).
 struct RveStepping {
     double time_step_fraction = 0.85;   // DEM step as a share of the longest stable one
@@ -13,6 +16,7 @@ struct RveStepping {
     double pressure_floor = 1000;         // p below which the inertial limit tightens no further [Pa]
     int steps_min = 2;                    // DEM steps of an update at least
     double stress_per_step_max = 0.0075;  // elastic stress change of a step, share of p, up to settle_steps
+    RveKernel kernel = RveKernel::double_precision;
 };
 
 // The same with what follows from the grains (rve_options below).

@@ -90,6 +90,8 @@ void add_stepping_keys(KeyTable& keys, graph::RveSettings& r) {
     rve.integer("steps_min", r.steps_min, 1, "DEM steps of an update at least");
     rve.real("stress_per_step_max", r.stress_per_step_max, "", above(0),
              "bound on a DEM step's elastic stress change, share of p, in updates of up to 10 steps");
+    rve.choice("kernel", r.kernel, {"double", "mixed"},
+               "precision of the DEM step: double, or float forces on exact positions (faster)");
 }
 
 void complete_grains(const KeyTable& keys, Grains& g) {

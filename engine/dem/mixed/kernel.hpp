@@ -1,0 +1,25 @@
+#pragma once
+#include "dem/fast/state.hpp"
+#include "dem/mixed/state.hpp"
+
+// The inner loops of the mixed-precision DEM step, dispatched at run time to the widest instruction set of
+// the machine: the equations of fast/kernel.hpp with forces and velocities in float, positions in integer
+// shares of the period and overlaps in double.
+namespace sandgraph::dem {
+
+// Contact forces at the current positions; advances the contact history by dt. `moment_sum`, if given,
+// receives sum over contacts of d (x) f as (xx, xy, yx, yy) [N m]. A move must come before: it lays out the
+// grains for the pairs.
+void contact_forces(MixedState& state, const KernelConstants& k, double dt, double* moment_sum);
+
+// Velocities from the forces. This and the next two return the largest speed squared relative to the mean
+// field [m2/s2], not a number once a velocity is not finite.
+double kick(MixedState& state, const KernelConstants& k, double dt);
+
+// Kick, then the mean field jumps to the velocity gradient L, and grains and cell move: one pass.
+double kick_drift(MixedState& state, const KernelConstants& k, const Mat2& L, double dt);
+
+// The jump to L and the move alone; dt = 0 only lays out the grains.
+double drift(MixedState& state, const Mat2& L, double dt);
+
+}  // namespace sandgraph::dem
