@@ -24,12 +24,12 @@ void MixedAssembly::step(const Mat2& L, double dt, int count) {
     SG_EXPECT(dt > 0 && count >= 0);
     if (count < 1) return;
     MixedPacking& p = state_.packing;
-    double sum[4], speed2 = drift(state_, p.L, waiting_);
-    rebuilds_ += keep_list(state_, list_, speed2, waiting_);
+    double sum[4], rate2 = drift(state_, p.L, waiting_);
+    rebuilds_ += keep_list(state_, list_, rate2, waiting_);
     for (int k = 0; k + 1 < count; ++k) {
         contact_forces(state_, constants_, dt, nullptr);
-        speed2 = kick_drift(state_, constants_, L, dt);
-        rebuilds_ += keep_list(state_, list_, speed2, dt);
+        rate2 = kick_drift(state_, constants_, L, dt);
+        rebuilds_ += keep_list(state_, list_, rate2, dt);
     }
     contact_forces(state_, constants_, dt, sum);
     kick(state_, constants_, dt);

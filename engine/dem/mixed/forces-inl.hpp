@@ -116,6 +116,17 @@ struct First {
           fx(hn::Zero(D())),
           fy(hn::Zero(D())),
           torque(hn::Zero(D())) {}
+    explicit First(const Partners& i)
+        : x(i.x),
+          y(i.y),
+          u(i.u),
+          v(i.v),
+          w(i.w),
+          r(i.r),
+          rw(hn::Mul(r, w)),
+          fx(hn::Zero(D())),
+          fy(hn::Zero(D())),
+          torque(hn::Zero(D())) {}
     HWY_INLINE void Store(MixedState& s, int g) const {
         hn::Store(fx, D(), s.fx_on_first.data() + g);
         hn::Store(fy, D(), s.fy_on_first.data() + g);
@@ -231,21 +242,17 @@ HWY_INLINE V Stiffness(const First& i, const Partners& j, V r_sum, const Law& k,
     return kn;
 }
 
-// A row of pairs, the contact law on kLanes of them at once. Where none touches, which is common since
-// touching pairs come first, only their history is cleared.
+// The contact law on kLanes pairs at once, if any touches; else their history is cleared. Whether any does.
 template <bool kKnown, bool kTotal, bool kStress>
-HWY_INLINE void Row(const Arrays& s, const Law& k, std::size_t c, First& i, Waiting& waiting,
-                    Moments& moments) {
+HWY_INLINE bool Contacts(const Arrays& s, const Law& k, std::size_t c, const Partners& j, First& i, V* on_j,
+                         Moments& moments) {
     const D d;
-    const std::uint16_t* place = s.partner + c;
-    const Partners j = LoadPartners(s.record, place);
-    waiting.Add(s.on_second);
     const Branch b(i, j, k);
     const V kn = Stiffness<kKnown>(i, j, b.r_sum, k, s.stiffness + c);
     const V fn = hn::Mul(kn, hn::Max(b.overlap, hn::Zero(d)));
     if (hn::AllFalse(d, hn::Gt(fn, hn::Zero(d)))) {
         hn::Store(hn::Zero(d), d, s.tangential + c), hn::Store(hn::Zero(d), d, s.moment + c);
-        return;
+        return false;
     }
     const V nx = hn::Mul(b.dx, b.inv_dist), ny = hn::Mul(b.dy, b.inv_dist), kt_dt = hn::Mul(kn, k.ratio_dt);
     const V ft = Tangential(i, j, b, nx, ny, kt_dt, hn::Mul(fn, k.friction), k, s.tangential + c);
@@ -256,8 +263,42 @@ HWY_INLINE void Row(const Arrays& s, const Law& k, std::size_t c, First& i, Wait
     const V even = hn::Mul(half_ft, b.dist), odd = hn::MulAdd(half_ft, hn::Sub(j.r, i.r), m);
     i.fx = hn::Sub(i.fx, fx), i.fy = hn::Sub(i.fy, fy), i.torque = hn::Add(i.torque, hn::Sub(even, odd));
     if constexpr (kStress) moments.Add(b.dx, b.dy, fx, fy);  // (eq. 23)
-    const V column[4] = {fx, fy, hn::Add(even, odd), hn::Zero(d)};
-    waiting.Put(column, place);
+    on_j[0] = fx, on_j[1] = fy, on_j[2] = hn::Add(even, odd), on_j[3] = hn::Zero(d);
+    return true;
+}
+
+// The pairs of a block, row by row; what they do to its own grains stays in registers.
+template <bool kKnown, bool kTotal, bool kStress>
+HWY_INLINE void DealtRows(MixedState& s, const Arrays& a, const Law& law, int g, std::size_t c, int rows,
+                          Waiting& waiting, Moments& moments) {
+    First i(s, g);
+    for (int row = 0; row < rows; ++row, c += MixedPacking::kLanes) {
+        V on_j[4];
+        const Partners j = LoadPartners(a.record, a.partner + c);
+        waiting.Add(a.on_second);
+        if (Contacts<kKnown, kTotal, kStress>(a, law, c, j, i, on_j, moments))
+            waiting.Put(on_j, a.partner + c);
+    }
+    i.Store(s, g);
+}
+
+// Loose rows that grains may have come to touch in, from slot c on.
+template <bool kTotal, bool kStress>
+HWY_INLINE void LooseRows(const MixedPacking& p, const Arrays& a, const Law& law, std::size_t c,
+                          Moments& moments) {
+    Waiting on_first, on_second;
+    for (std::size_t row = 0; row < p.loose_gap.size() && p.loose_gap[row] <= p.wear; ++row)
+        for (std::size_t l = 0; l < std::size_t{MixedPacking::kLanes}; l += kLanes) {
+            const std::size_t at = MixedPacking::kLanes * row + l;
+            const std::uint16_t *first = p.loose_first.data() + at, *second = a.partner + c + at;
+            V on_j[4];
+            First i(LoadPartners(a.record, first));
+            const Partners j = LoadPartners(a.record, second);
+            if (!Contacts<false, kTotal, kStress>(a, law, c + at, j, i, on_j, moments)) continue;
+            const V on_i[4] = {i.fx, i.fy, i.torque, hn::Zero(D())};
+            on_first.Put(on_i, first), on_second.Put(on_j, second);
+            on_first.Add(a.on_second), on_second.Add(a.on_second);
+        }
 }
 
 template <bool kKnown, bool kTotal, bool kStress>
@@ -269,17 +310,13 @@ HWY_INLINE void ForceLoop(MixedState& s, const KernelConstants& constants, doubl
     Waiting waiting;
     std::size_t c = 0;
     for (std::size_t block = 0; block < p.rows.size(); ++block) {
-        for (int l = 0; l < MixedPacking::kLanes; l += kLanes) {
-            const int g = static_cast<int>(block) * MixedPacking::kLanes + l;
-            First i(s, g);
-            for (int row = 0; row < p.rows[block]; ++row)
-                Row<kKnown, kTotal, kStress>(arrays, law, c + MixedPacking::kLanes * row + l, i, waiting,
-                                             moments);
-            i.Store(s, g);
-        }
+        for (int l = 0; l < MixedPacking::kLanes; l += kLanes)
+            DealtRows<kKnown, kTotal, kStress>(s, arrays, law, int(block) * MixedPacking::kLanes + l, c + l,
+                                               p.rows[block], waiting, moments);
         c += MixedPacking::kLanes * p.rows[block];
     }
     waiting.Add(arrays.on_second);
+    LooseRows<kTotal, kStress>(p, arrays, law, c, moments);
 }
 
 template <bool kKnown, bool kTotal>

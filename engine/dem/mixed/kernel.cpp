@@ -8,6 +8,7 @@
 #include "base/contracts.hpp"
 #include "dem/mixed/forces-inl.hpp"
 #include "dem/mixed/motion-inl.hpp"
+#include "dem/mixed/search-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sandgraph::dem::HWY_NAMESPACE {
@@ -22,6 +23,9 @@ double MixedKickMove(MixedState& s, const KernelConstants& k, const Mat2& H, dou
 double MixedMove(MixedState& s, const Mat2& H, double jump, double dt) {
     return mixed::MoveOnly(s, H, jump, dt);
 }
+void MixedSearch(const MixedPacking& p, const float* reach, std::vector<NearPair>& pairs) {
+    mixed::Search(p, reach, pairs);
+}
 
 }  // namespace sandgraph::dem::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -33,6 +37,7 @@ HWY_EXPORT(MixedForces);
 HWY_EXPORT(MixedKick);
 HWY_EXPORT(MixedKickMove);
 HWY_EXPORT(MixedMove);
+HWY_EXPORT(MixedSearch);
 
 namespace {
 
@@ -42,7 +47,7 @@ namespace {
     const auto all = [room](const auto&... arrays) { return ((arrays.size() == room) && ...); };
     const MixedPacking& p = s.packing;
     return p.grains >= 0 && room % MixedPacking::kLanes == 0 && room > std::size_t(p.grains) &&
-           all(p.y, p.u, p.v, p.w, s.radius, s.inverse_mass, s.inverse_inertia, s.fx_on_first, s.fy_on_first,
+           all(p.y, p.inverse_allowance2, p.u, p.v, p.w, s.radius, s.inverse_mass, s.inverse_inertia, s.fx_on_first, s.fy_on_first,
                s.torque_on_first) &&
            s.record.size() == 8 * room && s.on_second.size() == 4 * room;
 }
@@ -50,8 +55,9 @@ namespace {
     const MixedPacking& p = s.packing;
     std::size_t rows = 0;
     for (const std::uint8_t of_block : p.rows) rows += of_block;
-    const std::size_t slots = MixedPacking::kLanes * rows;
-    return MixedPacking::kLanes * p.rows.size() == p.room() && p.partner.size() == slots &&
+    const std::size_t slots = MixedPacking::kLanes * (rows + p.loose_gap.size());
+    return MixedPacking::kLanes * p.rows.size() == p.room() &&
+           MixedPacking::kLanes * p.loose_gap.size() == p.loose_first.size() && p.partner.size() == slots &&
            p.tangential.size() == slots && p.moment.size() == slots && s.stiffness.size() == slots;
 }
 
@@ -84,6 +90,11 @@ double drift(MixedState& state, const Mat2& L, double dt) {
     SG_EXPECT(grains_fit(state) && dt >= 0);
     const double jump = move_cell(state.packing, L, dt);
     return HWY_DYNAMIC_DISPATCH(MixedMove)(state, state.packing.H, jump, dt);
+}
+
+void near_pairs(const MixedPacking& packing, const Aligned<float>& reach, std::vector<NearPair>& pairs) {
+    SG_EXPECT(reach.size() == packing.room());
+    HWY_DYNAMIC_DISPATCH(MixedSearch)(packing, reach.data(), pairs);
 }
 
 }  // namespace sandgraph::dem

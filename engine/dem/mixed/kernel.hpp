@@ -1,4 +1,7 @@
 #pragma once
+#include <vector>
+
+#include "dem/fast/neighbours.hpp"
 #include "dem/fast/state.hpp"
 #include "dem/mixed/state.hpp"
 
@@ -12,8 +15,8 @@ namespace sandgraph::dem {
 // grains for the pairs.
 void contact_forces(MixedState& state, const KernelConstants& k, double dt, double* moment_sum);
 
-// Velocities from the forces. This and the next two return the largest speed squared relative to the mean
-// field [m2/s2], not a number once a velocity is not finite.
+// Velocities from the forces. This and the next two return the largest (speed beside the mean field/allowance)
+// squared [1/s2], not a number once a velocity is not finite.
 double kick(MixedState& state, const KernelConstants& k, double dt);
 
 // Kick, then the mean field jumps to the velocity gradient L, and grains and cell move: one pass.
@@ -21,5 +24,9 @@ double kick_drift(MixedState& state, const KernelConstants& k, const Mat2& L, do
 
 // The jump to L and the move alone; dt = 0 only lays out the grains.
 double drift(MixedState& state, const Mat2& L, double dt);
+
+// All pairs i < j nearer than reach_i + reach_j [m], images left open; `reach` [room]. Every grain is held
+// against every other, which for a few hundred is faster than a search by bins.
+void near_pairs(const MixedPacking& packing, const Aligned<float>& reach, std::vector<NearPair>& pairs);
 
 }  // namespace sandgraph::dem

@@ -7,12 +7,14 @@
 
 #include "base/contracts.hpp"
 #include "dem/fast/neighbour_list.hpp"
+#include "dem/mixed/kernel.hpp"
 #include "dem/mixed/packing.hpp"
 
 namespace sandgraph::dem {
 namespace {
 
 constexpr int kRecord = 8, kRadius = 4;  // of the search
+constexpr int kClasses = 64;             // of gaps
 
 // Integer coordinates follow the change of basis to the bit, modulo the period.
 void reduce(MixedPacking& p, const Reduction& r) {
@@ -27,14 +29,13 @@ void reduce(MixedPacking& p, const Reduction& r) {
     }
 }
 
+std::uint16_t padding_place(const MixedPacking& p) { return static_cast<std::uint16_t>(place_of(p.grains)); }
+
 }  // namespace
 
-double mixed_gap(double radius_max) {
-    constexpr double share = 0.5;
-    return share * listed_gap(radius_max);
-}
+double allowance(double radius_max) { return 0.5 * listed_gap(radius_max); }
 
-double least_height(double radius_max) { return 2 * (2 * radius_max + mixed_gap(radius_max)); }
+double least_height(double radius_max) { return 2 * (2 * radius_max + 2 * kFast * allowance(radius_max)); }
 
 NearestImage nearest_image(const MixedPacking& p, int i, int j) {
     const auto image = [](std::int32_t from, std::int32_t to, std::int32_t& branch) {
@@ -65,41 +66,80 @@ void MixedList::relist(MixedState& s, const std::vector<Contact>& history) {
     MixedPacking& p = s.packing;
     SG_EXPECT(p.grains > 0 && p.H.determinant() != 0);
     if (const Reduction r = reduce_cell(p.H); !r.identity) reduce(p, r);
-    list_pairs(s);
+    allow(s);
+    find_pairs(s);
+    sort_by_gap(p);
     collect(p.grains, history);
-    deal(p, owners_.share(pairs_, touching_, p.grains));
+    const int dealt = dealt_pairs(p.grains);
+    deal(p, owners_.share(pairs_, dealt, p.grains));
+    follow_loose(p, dealt);
     s.stiffness.resize(p.partner.size()), s.stiffness_known = false;
-    p.approach = 0;
-    SG_ENSURE(all_below(p.partner, static_cast<int>(p.room())) && !stale(s));
+    p.wear = 0;
+    SG_ENSURE(all_below(p.partner, static_cast<int>(p.room())));
+    SG_ENSURE(all_below(p.loose_first, static_cast<int>(p.room())));
 }
 
-void MixedList::list_pairs(const MixedState& s) {
+// By the grain's speed over the mean one: grains that no contact holds fly ten times as fast as the others.
+void MixedList::allow(MixedState& s) {
+    MixedPacking& p = s.packing;
+    const auto speed = [&](int g) { return std::hypot(double(p.u[g]), double(p.v[g])); };
+    double sum = 0;
+    for (int g = 0; g < p.grains; ++g) sum += speed(g);
+    const double quiet = std::max(2 * sum / p.grains, 1e-30), least = allowance(s.radius_max);
+    allowed_.assign(p.room(), 0), reach_.assign(p.room(), 0);
+    for (int g = 0; g < p.grains; ++g) {
+        allowed_[g] = static_cast<float>(least * std::clamp(speed(g) / quiet, 1.0, kFast));
+        reach_[g] = s.radius[g] + allowed_[g];
+        p.inverse_allowance2[g] = 1 / (allowed_[g] * allowed_[g]);
+    }
+}
+
+void MixedList::find_pairs(const MixedState& s) {
+    constexpr int kFew = 1500;
+    if (s.packing.grains > kFew) return find_by_bins(s);
+    near_pairs(s.packing, reach_, found_);
+}
+
+void MixedList::find_by_bins(const MixedState& s) {
     const MixedPacking& p = s.packing;
     centres_.resize(std::size_t{kRecord} * p.grains);
     for (int g = 0; g < p.grains; ++g) {
         const Vec2 x = centre(p, g);
         double* record = &centres_[std::size_t{kRecord} * g];
-        record[0] = x.x(), record[1] = x.y(), record[kRadius] = s.radius[g];
+        record[0] = x.x(), record[1] = x.y(), record[kRadius] = reach_[g];
     }
-    pairs_ = search_.find(centres_.data(), p.grains, p.H, mixed_gap(s.radius_max));
-    sort_touching_first(s);
+    found_ = search_.find(centres_.data(), p.grains, p.H, 0);
 }
 
-// Pairs that touch, or soon will, first: rows of the others cost the pair loop little.
-void MixedList::sort_touching_first(const MixedState& s) {
-    constexpr double kSoon = 0.05;
-    const double soon = kSoon * mixed_gap(s.radius_max);
-    loose_.clear();
-    touching_ = 0;
-    for (const NearPair& pair : pairs_) {
-        const double *a = &centres_[std::size_t{kRecord} * pair.i], *b = &centres_[std::size_t{kRecord} * pair.j];
-        const Vec2 d = Vec2(b[0] - a[0], b[1] - a[1]) + s.packing.H * Vec2(pair.cell_x, pair.cell_y);
-        if (d.norm() < a[kRadius] + b[kRadius] + soon)
-            pairs_[touching_++] = pair;
-        else
-            loose_.push_back(pair);
+// The gap of a pair as a share of what both grains are allowed.
+double MixedList::share_of_allowance(const MixedPacking& p, const NearPair& pair) const {
+    const double apart = branch(p, nearest_image(p, pair.i, pair.j)).norm();
+    const double allowed = double(allowed_[pair.i]) + double(allowed_[pair.j]);
+    return (apart - reach_[pair.i] - reach_[pair.j] + allowed) / allowed;
+}
+
+// Class 0 touches, the others divide the allowance evenly. A counting sort.
+void MixedList::sort_by_gap(const MixedPacking& p) {
+    class_end_.assign(kClasses + 1, 0), class_of_.clear();
+    for (const NearPair& pair : found_) {
+        const double share = kClasses * share_of_allowance(p, pair);
+        class_of_.push_back(share < 0 ? 0 : std::min(kClasses, 1 + static_cast<int>(share)));
+        ++class_end_[class_of_.back()];
     }
-    std::copy(loose_.begin(), loose_.end(), pairs_.begin() + touching_);
+    int sum = 0;
+    for (int& end : class_end_) sum += end, end = sum;
+    pairs_.resize(found_.size());
+    for (std::size_t k = found_.size(); k-- > 0;) pairs_[--class_end_[class_of_[k]]] = found_[k];
+    std::rotate(class_end_.begin(), class_end_.begin() + 1, class_end_.end());
+    class_end_.back() = sum;
+}
+
+// Those that touch, and as many of the nearest others as leave no lane with more rows.
+int MixedList::dealt_pairs(int grains) const {
+    constexpr double kFull = 0.95;  // more is seldom dealt out evenly
+    const int touching = class_end_[0], rows = static_cast<int>(std::ceil(touching / (kFull * grains)));
+    const int room = static_cast<int>(kFull * rows * grains);
+    return std::min(std::max(touching, room), static_cast<int>(pairs_.size()));
 }
 
 // Orders the history by first grain, i < j. Images do not matter: that of a pair is the nearest.
@@ -122,25 +162,45 @@ const Contact* MixedList::find(const NearPair& p) const {
     return nullptr;
 }
 
-// A lane for each grain, as many rows as the busiest grain of the block has pairs.
-void MixedList::deal(MixedPacking& p, const std::vector<std::int32_t>& owner) {
-    constexpr int kLanes = MixedPacking::kLanes;
-    p.pairs = static_cast<int>(pairs_.size());
-    used_.assign(p.room(), 0);
-    for (const std::int32_t g : owner) ++used_[g];
+// As many rows as the busiest grain of a block has pairs.
+void MixedList::lay_rows(MixedPacking& p, const std::vector<std::int32_t>& owner) {
+    constexpr std::size_t kLanes = MixedPacking::kLanes;
+    slot_.assign(p.room(), 0);
+    for (const std::int32_t g : owner) ++slot_[g];
     p.rows.resize(p.room() / kLanes);
     std::size_t slots = 0;
     for (std::size_t block = 0; block < p.rows.size(); ++block) {
-        const auto of_block = used_.begin() + static_cast<std::ptrdiff_t>(kLanes * block);
-        p.rows[block] = static_cast<std::uint8_t>(*std::max_element(of_block, of_block + kLanes));
-        for (int l = 0; l < kLanes; ++l) of_block[l] = static_cast<int>(slots) + l;
-        slots += std::size_t{kLanes} * p.rows[block];
+        const auto of_block = slot_.begin() + static_cast<std::ptrdiff_t>(kLanes * block);
+        const std::size_t rows = *std::max_element(of_block, of_block + kLanes);
+        for (std::size_t l = 0; l < kLanes; ++l) of_block[l] = slots + l;
+        p.rows[block] = static_cast<std::uint8_t>(rows), slots += kLanes * rows;
     }
-    p.partner.assign(slots, static_cast<std::uint16_t>(place_of(p.grains)));
-    p.tangential.assign(slots, 0), p.moment.assign(slots, 0);
-    for (int k = 0; k < p.pairs; ++k) {
-        fill(p, static_cast<std::size_t>(used_[owner[k]]), k, owner[k] == pairs_[k].i);
-        used_[owner[k]] += kLanes;
+    const std::size_t loose = (pairs_.size() - owner.size() + kLanes - 1) / kLanes;
+    p.loose_gap.assign(loose, 0), p.loose_first.assign(kLanes * loose, padding_place(p));
+    p.partner.assign(slots + kLanes * loose, padding_place(p));
+    p.tangential.assign(p.partner.size(), 0), p.moment.assign(p.partner.size(), 0);
+}
+
+void MixedList::deal(MixedPacking& p, const std::vector<std::int32_t>& owner) {
+    p.pairs = static_cast<int>(pairs_.size());
+    lay_rows(p, owner);
+    for (std::size_t k = 0; k < owner.size(); ++k) {
+        fill(p, slot_[owner[k]], static_cast<int>(k), owner[k] == pairs_[k].i);
+        slot_[owner[k]] += MixedPacking::kLanes;
+    }
+}
+
+// Row by row as they are sorted; a row's gap is where the class of its first pair begins.
+void MixedList::follow_loose(MixedPacking& p, int dealt) {
+    const std::size_t begin = p.partner.size() - p.loose_first.size();
+    int gap_class = 0;
+    for (int k = dealt; k < p.pairs; ++k) {
+        const auto at = static_cast<std::size_t>(k - dealt);
+        fill(p, begin + at, k, true);
+        p.loose_first[at] = static_cast<std::uint16_t>(place_of(pairs_[k].i));
+        while (class_end_[gap_class] <= k) ++gap_class;
+        if (at % MixedPacking::kLanes == 0)
+            p.loose_gap[at / MixedPacking::kLanes] = 0.999f * static_cast<float>(gap_class - 1) / kClasses;
     }
 }
 
@@ -153,10 +213,12 @@ void MixedList::fill(MixedPacking& p, std::size_t slot, int k, bool first_owns) 
     p.moment[slot] = static_cast<float>(first_owns ? c->moment : -c->moment);
 }
 
-double MixedList::approach(const MixedState& s, double speed2, double dt) const {
-    SG_EXPECT(!(speed2 < 0) && dt >= 0);  // not a number when the packing diverges
-    const double reach = 2 * s.radius_max + mixed_gap(s.radius_max);
-    return dt * (2 * std::sqrt(speed2) + s.packing.L.norm() * reach);
+bool MixedList::moved(MixedState& s, double rate2, double dt) const {
+    SG_EXPECT(!(rate2 < 0) && dt >= 0);  // not a number when the packing diverges
+    const double least = 2 * allowance(s.radius_max);
+    const double field = s.packing.L.norm() * (2 * s.radius_max + least) / least;
+    s.packing.wear += dt * (std::sqrt(rate2) + field);
+    return s.packing.wear >= 1;
 }
 
 }  // namespace sandgraph::dem

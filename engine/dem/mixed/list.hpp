@@ -8,17 +8,13 @@
 
 namespace sandgraph::dem {
 
-// Pairs are listed up to this gap [m]; shorter than the double kernel's, for a search costs less here than
-// the pairs that do not touch.
-double mixed_gap(double radius_max);
+// What a quiet grain is allowed to move while a list holds [m]; a fast one `kFast` times that at most.
+double allowance(double radius_max);
+inline constexpr double kFast = 4;
 
 // Keeps the pairs of a mixed-precision state valid. One per thread is enough: it holds scratch memory only.
 class MixedList {
   public:
-    bool stale(const MixedState& state) const {
-        return state.packing.approach >= mixed_gap(state.radius_max);
-    }
-
     // Re-reduces the cell if it is skewed, lists the near pairs, touching ones first, and hands the history
     // that the state holds on to them. Positions and forces stay as they are to the bit; a move must come
     // before the next forces.
@@ -26,25 +22,34 @@ class MixedList {
     // The same with the history given.
     void relist(MixedState& state, const std::vector<Contact>& history);
 
-    // Bound on how much closer two grains can have come in a step of dt [m].
-    double approach(const MixedState& state, double speed2, double dt) const;
+    // Counts a move of dt whose kernel returned `rate2`; whether the list must be made anew.
+    bool moved(MixedState& state, double rate2, double dt) const;
 
   private:
-    void list_pairs(const MixedState& state);
-    void sort_touching_first(const MixedState& state);
+    void allow(MixedState& state);
+    void find_pairs(const MixedState& state);
+    void find_by_bins(const MixedState& state);
+    double share_of_allowance(const MixedPacking& packing, const NearPair& pair) const;
+    void sort_by_gap(const MixedPacking& packing);
+    int dealt_pairs(int grains) const;
     void collect(int grains, const std::vector<Contact>& history);
     const Contact* find(const NearPair& pair) const;
+    void lay_rows(MixedPacking& packing, const std::vector<std::int32_t>& owner);
     void deal(MixedPacking& packing, const std::vector<std::int32_t>& owner);
+    void follow_loose(MixedPacking& packing, int dealt);
     void fill(MixedPacking& packing, std::size_t slot, int pair, bool first_owns) const;
 
     NeighbourSearch search_;
     PairOwners owners_;
-    std::vector<double> centres_;         // [8 N] records for the search
-    std::vector<NearPair> pairs_, loose_;
-    int touching_ = 0;                    // the first of pairs_
+    std::vector<double> centres_;         // [8 N] records for the search by bins
+    Aligned<float> allowed_, reach_;      // [room] allowance; it and the radius
+    std::vector<NearPair> found_;         // images left open
+    std::vector<NearPair> pairs_;         // by gap, from class to class
+    std::vector<int> class_of_;           // [pairs found]
+    std::vector<int> class_end_;          // [classes] in pairs_
     std::vector<Contact> history_, old_;  // old_: i < j, by i
     std::vector<int> first_;              // [N + 1] start of each grain's contacts in old_
-    std::vector<int> used_;               // [N] pairs dealt to each grain
+    std::vector<std::size_t> slot_;       // [room] next slot of each grain
 };
 
 // The pairs that hold a force, images as from the least branch.
@@ -61,12 +66,15 @@ NearestImage nearest_image(const MixedPacking& packing, int i, int j);
 template <class Visitor>
 void for_each_pair(const MixedPacking& p, Visitor&& visit) {
     std::size_t slot = 0;
+    const auto offer = [&](int i) {
+        const int j = place_of(p.partner[slot]);
+        if (i < p.grains && j < p.grains) visit(slot, i, j);
+        ++slot;
+    };
     for (std::size_t block = 0; block < p.rows.size(); ++block)
-        for (int k = 0; k < MixedPacking::kLanes * p.rows[block]; ++k, ++slot) {
-            const int i = static_cast<int>(block) * MixedPacking::kLanes + k % MixedPacking::kLanes;
-            const int j = place_of(p.partner[slot]);
-            if (i < p.grains && j < p.grains) visit(slot, i, j);
-        }
+        for (int k = 0; k < MixedPacking::kLanes * p.rows[block]; ++k)
+            offer(static_cast<int>(block) * MixedPacking::kLanes + k % MixedPacking::kLanes);
+    for (const std::uint16_t place : p.loose_first) offer(place_of(place));
 }
 
 }  // namespace sandgraph::dem

@@ -62,7 +62,7 @@ struct Move {
     }
 };
 
-// Returns max |u|^2, not a number if any velocity is.
+// Returns max (|u|/allowance)^2, not a number if any velocity is.
 template <bool kKick, bool kMove>
 HWY_INLINE double MotionLoop(MixedState& s, const Kick& kick, const Move& move) {
     const D d;
@@ -76,7 +76,8 @@ HWY_INLINE double MotionLoop(MixedState& s, const Kick& kick, const Move& move) 
         if constexpr (kMove) move(s, g, u, v, w);
         hn::Store(u, d, pu), hn::Store(v, d, pv), hn::Store(w, d, pw);
         const V square = hn::MulAdd(u, u, hn::Mul(v, v));
-        largest = hn::Max(largest, square), sum = hn::Add(sum, hn::MulAdd(w, w, square));
+        const V share = hn::Mul(square, hn::Load(d, s.packing.inverse_allowance2.data() + g));
+        largest = hn::Max(largest, share), sum = hn::Add(sum, hn::MulAdd(w, w, square));
     }
     const float total = hn::GetLane(hn::SumOfLanes(d, sum));
     if (!(total < std::numeric_limits<float>::infinity())) return std::numeric_limits<double>::quiet_NaN();

@@ -11,40 +11,32 @@ int other(const NearPair& p, int grain) { return p.i == grain ? p.j : p.i; }
 
 }  // namespace
 
-const std::vector<std::int32_t>& PairOwners::share(const std::vector<NearPair>& pairs, int touching,
-                                                   int grains) {
-    const int count = static_cast<int>(pairs.size());
-    SG_EXPECT(touching >= 0 && touching <= count && grains > 0);
-    owner_.resize(pairs.size());
-    load_.assign(grains, 0);
-    reached_.assign(grains, 0), came_by_.resize(grains), search_ = 0;
-    deal(pairs, 0, touching);
-    deal(pairs, touching, count);
-    return owner_;
-}
-
 // To the grain that has fewer; then those with more than their share hand on.
-void PairOwners::deal(const std::vector<NearPair>& pairs, int begin, int end) {
-    if (begin == end) return;
-    for (int k = begin; k < end; ++k) {
+const std::vector<std::int32_t>& PairOwners::share(const std::vector<NearPair>& pairs, int count, int grains) {
+    SG_EXPECT(count >= 0 && static_cast<std::size_t>(count) <= pairs.size() && grains > 0);
+    owner_.resize(count);
+    load_.assign(grains, 0);
+    for (int k = 0; k < count; ++k) {
         const NearPair& p = pairs[k];
         owner_[k] = load_[p.i] <= load_[p.j] ? p.i : p.j;
         ++load_[owner_[k]];
     }
-    const int grains = static_cast<int>(load_.size()), most = (end + grains - 1) / grains;
-    list_pairs_by_grain(pairs, begin, end);
+    const int most = (count + grains - 1) / grains;
+    list_pairs_by_grain(pairs, count);
+    reached_.assign(grains, 0), came_by_.resize(grains), search_ = 0;
     for (int g = 0; g < grains; ++g)
         while (load_[g] > most && relieve(pairs, g, most)) {
         }
+    return owner_;
 }
 
-void PairOwners::list_pairs_by_grain(const std::vector<NearPair>& pairs, int begin, int end) {
+void PairOwners::list_pairs_by_grain(const std::vector<NearPair>& pairs, int count) {
     first_.assign(load_.size() + 1, 0);
-    of_grain_.resize(2 * static_cast<std::size_t>(end - begin));
-    for (int k = begin; k < end; ++k) ++first_[pairs[k].i], ++first_[pairs[k].j];
+    of_grain_.resize(2 * static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) ++first_[pairs[k].i], ++first_[pairs[k].j];
     int sum = 0;
     for (int& start : first_) sum += start, start = sum;
-    for (int k = end; k-- > begin;) of_grain_[--first_[pairs[k].i]] = k, of_grain_[--first_[pairs[k].j]] = k;
+    for (int k = count; k-- > 0;) of_grain_[--first_[pairs[k].i]] = k, of_grain_[--first_[pairs[k].j]] = k;
 }
 
 // Breadth first along owned pairs to the nearest grain with room, within reach; each on the way takes one and

@@ -36,8 +36,9 @@ void place_grain(const Packing& p, const Mat2& inverse, int g, MixedPacking& out
 }  // namespace
 
 std::size_t MixedPacking::bytes() const {
-    return 4 * (x.capacity() + y.capacity() + u.capacity() + v.capacity() + w.capacity()) + rows.capacity() +
-           2 * partner.capacity() + 4 * (tangential.capacity() + moment.capacity());
+    return 4 * (x.capacity() + y.capacity() + inverse_allowance2.capacity() + u.capacity() + v.capacity() + w.capacity()) + rows.capacity() +
+           2 * (partner.capacity() + loose_first.capacity()) +
+           4 * (tangential.capacity() + moment.capacity() + loose_gap.capacity());
 }
 
 void resize_grains(MixedState& s, int n) {
@@ -45,7 +46,7 @@ void resize_grains(MixedState& s, int n) {
     const std::size_t room = room_for(n);
     s.packing.grains = n, s.grains_of.reset();
     for (auto* a : {&s.packing.x, &s.packing.y}) a->assign(room, 0);
-    for (auto* a : {&s.packing.u, &s.packing.v, &s.packing.w, &s.radius, &s.inverse_mass, &s.inverse_inertia,
+    for (auto* a : {&s.packing.u, &s.packing.v, &s.packing.w, &s.packing.inverse_allowance2, &s.radius, &s.inverse_mass, &s.inverse_inertia,
                     &s.fx_on_first, &s.fy_on_first, &s.torque_on_first})
         a->assign(room, 0);
     s.record.assign(8 * room, 0), s.on_second.assign(4 * room, 0);

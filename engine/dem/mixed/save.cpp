@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "dem/mixed/packing.hpp"
 
@@ -24,11 +25,13 @@ void take(ByteReader& in, Mat2& m) { in.take(std::span<double>(m.data(), 4)); }
 
 void require_sound(const MixedPacking& p, double radius_max) {
     require_state(p.pairs >= 0 && static_cast<std::size_t>(p.pairs) <= p.partner.size(), "pairs");
-    require_state(std::ranges::all_of(p.partner, [&](std::size_t place) { return place < p.room(); }),
-                  "pairs");
-    require_state(p.H.allFinite() && p.L.allFinite() && std::isfinite(p.approach), "numbers");
+    for (const auto* places : {&p.partner, &p.loose_first})
+        require_state(std::ranges::all_of(*places, [&](std::size_t place) { return place < p.room(); }),
+                      "pairs");
+    require_state(std::ranges::all_of(p.loose_gap, [](float gap) { return gap >= 0; }), "numbers");
+    require_state(p.H.allFinite() && p.L.allFinite() && std::isfinite(p.wear), "numbers");
     require_state(!too_thin(p.H, radius_max), "cells");
-    for (const auto* values : {&p.u, &p.v, &p.w, &p.tangential, &p.moment})
+    for (const auto* values : {&p.u, &p.v, &p.w, &p.inverse_allowance2, &p.tangential, &p.moment})
         require_state(std::ranges::all_of(*values, [](float x) { return std::isfinite(x); }), "numbers");
 }
 
@@ -36,24 +39,29 @@ void require_sound(const MixedPacking& p, double radius_max) {
 
 void save(const MixedPacking& p, ByteWriter& out) {
     put(out, p.H), put(out, p.L);
-    out.put(p.approach), out.put(p.pairs);
-    put(out, p.x), put(out, p.y);
+    out.put(p.wear), out.put(p.pairs);
+    put(out, p.x), put(out, p.y), put(out, p.inverse_allowance2);
     put(out, p.u), put(out, p.v), put(out, p.w);
-    put(out, p.rows), put(out, p.partner);
+    put(out, p.rows), out.put(p.loose_gap);
+    put(out, p.partner), put(out, p.loose_first);
     put(out, p.tangential), put(out, p.moment);
 }
 
 void load(MixedPacking& p, int grains, double radius_max, ByteReader& in) {
     take(in, p.H), take(in, p.L);
-    in.take(p.approach), in.take(p.pairs);
+    in.take(p.wear), in.take(p.pairs);
     const std::size_t room = room_for(grains);
     p.grains = grains;
     take(in, p.x, room), take(in, p.y, room);
+    take(in, p.inverse_allowance2, room);
     take(in, p.u, room), take(in, p.v, room), take(in, p.w, room);
     take(in, p.rows, room / MixedPacking::kLanes);
-    std::size_t slots = 0;
-    for (const std::uint8_t rows : p.rows) slots += std::size_t{MixedPacking::kLanes} * rows;
-    take(in, p.partner, slots);
+    in.take(p.loose_gap);
+    constexpr std::size_t kLanes = MixedPacking::kLanes;
+    const std::size_t loose = kLanes * p.loose_gap.size();
+    const std::size_t slots = std::accumulate(p.rows.begin(), p.rows.end(), loose,
+                                              [](std::size_t sum, int rows) { return sum + kLanes * rows; });
+    take(in, p.partner, slots), take(in, p.loose_first, loose);
     take(in, p.tangential, slots), take(in, p.moment, slots);
     require_sound(p, radius_max);
 }

@@ -14,9 +14,10 @@ struct GrainSet;
 // A packing in the form of the mixed-precision kernel, at rest or in motion; N grains, padded to `room`, a
 // multiple of kLanes with at least one padding grain. A coordinate is the share of a period in units of 2^-32
 // and wraps by itself, so the difference of two is exact and that to the nearest image. Velocities are those
-// relative to the mean field L x and, as the forces, floats. 16 grains make a block, each in a lane of its
-// own; a block has `rows` rows of pairs, in each of which every lane has one pair (or none: the first padding
-// grain is its partner).
+// relative to the mean field L x and, as the forces, floats.
+// Pairs that touch stand in dealt rows: 16 grains make a block, each in a lane of its own; a block has `rows`
+// rows, in each of which every lane has one pair (or none: the first padding grain is its partner). The others
+// follow in loose rows of 16 pairs, sorted by gap: a row is looked at once `wear` has come up to it.
 struct MixedPacking {
     static constexpr int kLanes = 16;
 
@@ -24,12 +25,17 @@ struct MixedPacking {
     Aligned<std::int32_t> x, y;         // [room]
     Aligned<float> u, v, w;             // [room] velocity less L x [m/s], spin [rad/s]
     std::vector<std::uint8_t> rows;     // [room/16]
-    Aligned<std::uint16_t> partner;     // [16 rows] place (below) of the second grain
-    Aligned<float> tangential, moment;  // [16 rows] contact history [N], [N m]
+    Aligned<std::uint16_t> partner;     // [slots] place (below) of the second grain; dealt rows, loose rows
+    Aligned<float> tangential, moment;  // [slots] contact history [N], [N m]
+    std::vector<float> loose_gap;       // [loose rows] least gap of its pairs as a share of their allowances
+    Aligned<std::uint16_t> loose_first;  // [16 loose rows] place of the first grain
 
     Mat2 H = Mat2::Identity();  // cell
     Mat2 L = Mat2::Zero();      // velocity gradient of the last move [1/s]
-    double approach = 0;        // since the last search: bound on how much closer two grains came [m]
+    // The list holds while no grain has moved by more than its allowance beside the mean field: faster grains
+    // have a larger one. `wear` bounds the share of it that any has used up since the search.
+    double wear = 0;
+    Aligned<float> inverse_allowance2;  // [room] [1/m2]; 0 for padding grains
 
     std::size_t room() const { return x.size(); }
     std::size_t bytes() const;
@@ -44,7 +50,7 @@ struct MixedState {
     Aligned<float> record;                                   // [8 room] x, y, u, v, w, r, 0, 0 by place
     Aligned<float> on_second;                                // [4 room] fx, fy, torque, 0 by place
     Aligned<float> fx_on_first, fy_on_first, torque_on_first;  // [room]
-    Aligned<float> stiffness;                                // [16 rows] k_n of the pairs [N/m],
+    Aligned<float> stiffness;                                // [slots] k_n of the pairs [N/m],
     bool stiffness_known = false;                            // once a step has worked it out
 };
 

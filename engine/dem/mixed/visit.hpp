@@ -5,8 +5,8 @@
 
 namespace sandgraph::dem {
 
-// After a move of dt whose kernel returned `speed2`: makes a stale list anew; whether it did.
-bool keep_list(MixedState& state, MixedList& list, double speed2, double dt);
+// After a move of dt whose kernel returned `rate2`: makes a stale list anew; whether it did.
+bool keep_list(MixedState& state, MixedList& list, double rate2, double dt);
 
 // `count` steps of dt under the constant gradient L: move, forces, kick. Forces and cell end in step, so the
 // stress (Love-Weber, compression positive [Pa]) belongs to the deformation reached; not a number once the

@@ -141,7 +141,7 @@ std::int64_t content_hash(const CompactPacking& p) {
     add(p.grains->radius), add(p.position);
     if (p.mixed) {
         add(p.mixed->x), add(p.mixed->y), add(p.mixed->rows), add(p.mixed->partner);
-        add(p.mixed->tangential), add(p.mixed->moment);
+        add(p.mixed->loose_first), add(p.mixed->tangential), add(p.mixed->moment);
     }
     add(p.i), add(p.j), add(p.image);
     add(p.tangential), add(p.moment);
