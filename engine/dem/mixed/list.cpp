@@ -33,9 +33,9 @@ std::uint16_t padding_place(const MixedPacking& p) { return static_cast<std::uin
 
 }  // namespace
 
-double allowance(double radius_max) { return 0.5 * listed_gap(radius_max); }
+double allowance(double radius_max) { return 0.75 * listed_gap(radius_max); }
 
-double least_height(double radius_max) { return 2 * (2 * radius_max + 2 * kFast * allowance(radius_max)); }
+double least_height(double radius_max) { return 2 * (2 * radius_max + 2.0 * kFast * allowance(radius_max)); }
 
 NearestImage nearest_image(const MixedPacking& p, int i, int j) {
     const auto image = [](std::int32_t from, std::int32_t to, std::int32_t& branch) {
@@ -82,13 +82,14 @@ void MixedList::relist(MixedState& s, const std::vector<Contact>& history) {
 // By the grain's speed over the mean one: grains that no contact holds fly ten times as fast as the others.
 void MixedList::allow(MixedState& s) {
     MixedPacking& p = s.packing;
-    const auto speed = [&](int g) { return std::hypot(double(p.u[g]), double(p.v[g])); };
-    double sum = 0;
+    const auto speed = [&](int g) { return std::sqrt(p.u[g] * p.u[g] + p.v[g] * p.v[g]); };
+    float sum = 0;
     for (int g = 0; g < p.grains; ++g) sum += speed(g);
-    const double quiet = std::max(2 * sum / p.grains, 1e-30), least = allowance(s.radius_max);
+    const float quiet = std::max(2 * sum / static_cast<float>(p.grains), 1e-30f),
+                least = static_cast<float>(allowance(s.radius_max));
     allowed_.assign(p.room(), 0), reach_.assign(p.room(), 0);
     for (int g = 0; g < p.grains; ++g) {
-        allowed_[g] = static_cast<float>(least * std::clamp(speed(g) / quiet, 1.0, kFast));
+        allowed_[g] = least * std::clamp(speed(g) / quiet, 1.0f, kFast);
         reach_[g] = s.radius[g] + allowed_[g];
         p.inverse_allowance2[g] = 1 / (allowed_[g] * allowed_[g]);
     }
@@ -113,7 +114,13 @@ void MixedList::find_by_bins(const MixedState& s) {
 
 // The gap of a pair as a share of what both grains are allowed.
 double MixedList::share_of_allowance(const MixedPacking& p, const NearPair& pair) const {
-    const double apart = branch(p, nearest_image(p, pair.i, pair.j)).norm();
+    const Mat2 cell = p.H / 4294967296.0;
+    const auto less = [](std::int32_t a, std::int32_t b) {
+        return double(static_cast<std::int32_t>(std::uint32_t(a) - std::uint32_t(b)));
+    };
+    const double a = less(p.x[pair.j], p.x[pair.i]), b = less(p.y[pair.j], p.y[pair.i]);
+    const double dx = cell(0, 0) * a + cell(0, 1) * b, dy = cell(1, 0) * a + cell(1, 1) * b;
+    const double apart = std::sqrt(dx * dx + dy * dy);
     const double allowed = double(allowed_[pair.i]) + double(allowed_[pair.j]);
     return (apart - reach_[pair.i] - reach_[pair.j] + allowed) / allowed;
 }

@@ -10,7 +10,7 @@ namespace sandgraph::dem {
 
 // What a quiet grain is allowed to move while a list holds [m]; a fast one `kFast` times that at most.
 double allowance(double radius_max);
-inline constexpr double kFast = 4;
+inline constexpr float kFast = 4;
 
 // Keeps the pairs of a mixed-precision state valid. One per thread is enough: it holds scratch memory only.
 class MixedList {
