@@ -52,8 +52,10 @@ void contact_history(const MixedPacking& p, std::vector<Contact>& out) {
     out.clear();
     for_each_pair(p, [&](std::size_t slot, int i, int j) {
         if (p.tangential[slot] == 0 && p.moment[slot] == 0) return;
+        const double moment = i < j ? p.moment[slot] : -p.moment[slot];
+        if (i > j) std::swap(i, j);
         const NearestImage image = nearest_image(p, i, j);
-        out.push_back({i, j, image.cell_x, image.cell_y, p.tangential[slot], p.moment[slot]});
+        out.push_back({i, j, image.cell_x, image.cell_y, p.tangential[slot], moment});
     });
 }
 
@@ -141,12 +143,13 @@ void MixedList::sort_by_gap(const MixedPacking& p) {
     class_end_.back() = sum;
 }
 
-// Those that touch, and as many of the nearest others as leave no lane with more rows.
+// The nearest, as many as fill whole rows: a row too few leaves pairs that touch to the loose rows, a row too
+// many is mostly empty.
 int MixedList::dealt_pairs(int grains) const {
     constexpr double kFull = 0.95;  // more is seldom dealt out evenly
-    const int touching = class_end_[0], rows = static_cast<int>(std::ceil(touching / (kFull * grains)));
-    const int room = static_cast<int>(kFull * rows * grains);
-    return std::min(std::max(touching, room), static_cast<int>(pairs_.size()));
+    const double a_row = kFull * grains;
+    const auto rows = std::max(1.0, std::round(class_end_[0] / a_row));
+    return std::min(static_cast<int>(rows * a_row), static_cast<int>(pairs_.size()));
 }
 
 // Orders the history by first grain, i < j. Images do not matter: that of a pair is the nearest.

@@ -52,7 +52,7 @@ class MixedList {
     std::vector<std::size_t> slot_;       // [room] next slot of each grain
 };
 
-// The pairs that hold a force, images as from the least branch.
+// The pairs that hold a force, i < j, the image the nearest.
 void contact_history(const MixedPacking& packing, std::vector<Contact>& out);
 
 // Periods to add to the second grain for the nearest image, and the branch in units of the cell.

@@ -28,7 +28,7 @@ void require_sound(const MixedPacking& p, double radius_max) {
     for (const auto* places : {&p.partner, &p.loose_first})
         require_state(std::ranges::all_of(*places, [&](std::size_t place) { return place < p.room(); }),
                       "pairs");
-    require_state(std::ranges::all_of(p.loose_gap, [](float gap) { return gap >= 0; }), "numbers");
+    require_state(std::ranges::all_of(p.loose_gap, [](float gap) { return gap >= -1; }), "numbers");
     require_state(p.H.allFinite() && p.L.allFinite() && std::isfinite(p.wear), "numbers");
     require_state(!too_thin(p.H, radius_max), "cells");
     for (const auto* values : {&p.u, &p.v, &p.w, &p.inverse_allowance2, &p.tangential, &p.moment})

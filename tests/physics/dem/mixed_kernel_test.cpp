@@ -140,16 +140,21 @@ TEST_P(MixedRest, APackingAtRestStaysAtRest) {
     Packing p = at_pressure("dense", pressure);
     FastAssembly settle(p, calm(Material{}));
     settle.step(Mat2::Zero(), test::dt, 40'000);
-    MixedAssembly sample(at_rest(settle.packing()), {});
-    sample.step(Mat2::Zero(), test::dt, 2000);
-    const Mat2 first = sample.stress();
-    const Packing before = sample.packing();
-    sample.step(Mat2::Zero(), test::dt, 40'000);
-    const Observables seen = sample.observe();
+    const Packing start = at_rest(settle.packing());
+    const auto drift = [&](Assembly& sample) {  // of the stress, as a share of the pressure
+        sample.step(Mat2::Zero(), test::dt, 2000);
+        const Mat2 first = sample.stress();
+        sample.step(Mat2::Zero(), test::dt, 40'000);
+        return (sample.stress() - first).norm() / pressure;
+    };
+    FastAssembly fast(start, {});
+    MixedAssembly mixed(start, {});
+    const double usual = drift(fast), ours = drift(mixed);  // the last grains settle in both
+    const Observables seen = mixed.observe();
     const double elastic = seen.elastic_normal + seen.elastic_tangential + seen.elastic_rolling;
-    std::printf("stress %.2e kinetic/elastic %.2e\n", (sample.stress() - first).norm() / pressure,
+    std::printf("drift %.2e in double %.2e kinetic/elastic %.2e\n", ours, usual,
                 (seen.kinetic_translation + seen.kinetic_rotation) / elastic);
-    EXPECT_LE((sample.stress() - first).norm(), 1e-3 * pressure);
+    EXPECT_LE(ours, 1.5 * usual + 2e-4);
     EXPECT_LE(seen.kinetic_translation + seen.kinetic_rotation, 1e-6 * elastic);
 }
 INSTANTIATE_TEST_SUITE_P(Pressure, MixedRest, testing::Values(1e3, 32e3, 1e6), [](const auto& info) {

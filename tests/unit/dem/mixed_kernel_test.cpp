@@ -39,7 +39,7 @@ TEST(MixedKernel, KnowsBothRollingForms) {
     MixedAssembly mixed(dense(), total);
     const Mat2 s = stress_after(fast, shear(1), 300);
     EXPECT_LE(relative(stress_after(mixed, shear(1), 300), s), 3e-4);
-    EXPECT_GT(relative(stress_after(other, shear(1), 300), s), 3e-3);
+    EXPECT_GT(relative(stress_after(other, shear(1), 300), s), 1e-3);
 }
 
 TEST(MixedKernel, EveryInstructionSetOfTheMachineAgrees) {
@@ -127,8 +127,9 @@ TEST(MixedList, DealsPairsOutEvenly) {
     load(dense(), {}, s, list);
     int rows = 0;
     for (const int of_block : s.packing.rows) rows += of_block;
-    const int dealt = s.packing.pairs - static_cast<int>(s.packing.loose_first.size());
-    EXPECT_LE(16 * rows, 1.15 * dealt);
+    const int loose = static_cast<int>(s.packing.loose_first.size()), dealt = s.packing.pairs - loose;
+    EXPECT_LE(16 * rows, 1.2 * dealt);
+    EXPECT_LT(loose, dealt / 3);
 }
 
 // A long shear with reductions of the cell and lists made anew meets every contact that a full search finds.
