@@ -59,10 +59,10 @@ HWY_INLINE hn::Vec<HalfF> Excess(const Metric& g, hn::Vec<HalfI> a, hn::Vec<Half
 
 // |d|^2 less the square of `distance`, which is nearly |d|, in double precision.
 HWY_INLINE V Excess(const Metric& g, VI a, VI b, V distance) {
-    const auto lower = Excess(g, hn::LowerHalf(HalfI(), a), hn::LowerHalf(HalfI(), b),
-                              hn::LowerHalf(HalfF(), distance));
-    const auto upper = Excess(g, hn::UpperHalf(HalfI(), a), hn::UpperHalf(HalfI(), b),
-                              hn::UpperHalf(HalfF(), distance));
+    const auto lower =
+        Excess(g, hn::LowerHalf(HalfI(), a), hn::LowerHalf(HalfI(), b), hn::LowerHalf(HalfF(), distance));
+    const auto upper =
+        Excess(g, hn::UpperHalf(HalfI(), a), hn::UpperHalf(HalfI(), b), hn::UpperHalf(HalfF(), distance));
     return hn::Combine(D(), upper, lower);
 }
 #endif

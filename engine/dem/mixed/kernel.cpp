@@ -47,8 +47,8 @@ namespace {
     const auto all = [room](const auto&... arrays) { return ((arrays.size() == room) && ...); };
     const MixedPacking& p = s.packing;
     return p.grains >= 0 && room % MixedPacking::kLanes == 0 && room > std::size_t(p.grains) &&
-           all(p.y, p.inverse_allowance2, p.u, p.v, p.w, s.radius, s.inverse_mass, s.inverse_inertia, s.fx_on_first, s.fy_on_first,
-               s.torque_on_first) &&
+           all(p.y, p.x_rest, p.y_rest, p.inverse_allowance2, p.u, p.v, p.w, s.radius, s.inverse_mass,
+               s.inverse_inertia, s.fx_on_first, s.fy_on_first, s.torque_on_first) &&
            s.record.size() == 8 * room && s.on_second.size() == 4 * room;
 }
 [[maybe_unused]] bool pairs_fit(const MixedState& s) {
@@ -61,7 +61,7 @@ namespace {
            p.tangential.size() == slots && p.moment.size() == slots && s.stiffness.size() == slots;
 }
 
-// (eq. 16); returns the jump of the mean spin.
+// docs/how_it_works.md (eq. 16); returns the jump of the mean spin.
 double move_cell(MixedPacking& p, const Mat2& L, double dt) {
     const Mat2 change = L - p.L;
     p.H += dt * (L * p.H), p.L = L;

@@ -15,8 +15,8 @@ namespace sandgraph::dem {
 // grains for the pairs.
 void contact_forces(MixedState& state, const KernelConstants& k, double dt, double* moment_sum);
 
-// Velocities from the forces. This and the next two return the largest (speed beside the mean field/allowance)
-// squared [1/s2], not a number once a velocity is not finite.
+// Velocities from the forces. This and the next two return the largest (speed beside the mean
+// field/allowance) squared [1/s2], not a number once a velocity is not finite.
 double kick(MixedState& state, const KernelConstants& k, double dt);
 
 // Kick, then the mean field jumps to the velocity gradient L, and grains and cell move: one pass.

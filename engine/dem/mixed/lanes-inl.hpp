@@ -34,8 +34,12 @@ HWY_INLINE void Transpose(const V* row, V* column) {
 HWY_INLINE Partners LoadPartners(const float* record, const std::uint16_t* place) {
     const D d;
     const float* a = record + kRecord * std::size_t{place[0]};
-    return {hn::BitCast(DI(), hn::Load(d, a)), hn::BitCast(DI(), hn::Load(d, a + 1)), hn::Load(d, a + 2),
-            hn::Load(d, a + 3), hn::Load(d, a + 4), hn::Load(d, a + 5)};
+    return {hn::BitCast(DI(), hn::Load(d, a)),
+            hn::BitCast(DI(), hn::Load(d, a + 1)),
+            hn::Load(d, a + 2),
+            hn::Load(d, a + 3),
+            hn::Load(d, a + 4),
+            hn::Load(d, a + 5)};
 }
 // Rows of four that lie side by side at `row`, as columns.
 HWY_INLINE void LoadColumns(const float* row, V* column) {

@@ -7,8 +7,8 @@
 
 #include "base/contracts.hpp"
 #include "dem/fast/neighbour_list.hpp"
+#include "dem/mixed/geometry.hpp"
 #include "dem/mixed/kernel.hpp"
-#include "dem/mixed/packing.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -26,6 +26,8 @@ void reduce(MixedPacking& p, const Reduction& r) {
                                              static_cast<std::uint32_t>(r.U_inverse(k, 1)) * y);
         };
         p.x[g] = row(0), p.y[g] = row(1);
+        const Vec2 rest = r.U_inverse.cast<double>() * Vec2(p.x_rest[g], p.y_rest[g]);
+        p.x_rest[g] = float(rest.x()), p.y_rest[g] = float(rest.y());
     }
 }
 
@@ -36,17 +38,6 @@ std::uint16_t padding_place(const MixedPacking& p) { return static_cast<std::uin
 double allowance(double radius_max) { return 0.75 * listed_gap(radius_max); }
 
 double least_height(double radius_max) { return 2 * (2 * radius_max + 2.0 * kFast * allowance(radius_max)); }
-
-NearestImage nearest_image(const MixedPacking& p, int i, int j) {
-    const auto image = [](std::int32_t from, std::int32_t to, std::int32_t& branch) {
-        const auto a = static_cast<std::uint32_t>(from), b = static_cast<std::uint32_t>(to);
-        branch = static_cast<std::int32_t>(b - a);
-        return static_cast<std::int16_t>((std::int64_t{branch} - (std::int64_t{b} - std::int64_t{a})) >> 32);
-    };
-    NearestImage out{};
-    out.cell_x = image(p.x[i], p.x[j], out.x), out.cell_y = image(p.y[i], p.y[j], out.y);
-    return out;
-}
 
 void contact_history(const MixedPacking& p, std::vector<Contact>& out) {
     out.clear();

@@ -49,13 +49,22 @@ struct Move {
     V turn;
     Move(const Mat2& H_after, double jump, double dt)
         : units(dt / kUnit * H_after.inverse()), turn(hn::Set(D(), float(jump))) {}
+    // What is less than a unit is kept for the next move: slow grains would stand still while their
+    // tangential forces follow their velocities.
+    static HWY_INLINE VI Moved(V by, std::int32_t* coordinate, float* rest) {
+        const D d;
+        const DI di;
+        const V whole_and_rest = hn::Add(by, hn::Load(d, rest));
+        const VI whole = hn::NearestInt(whole_and_rest);
+        hn::Store(hn::Sub(whole_and_rest, hn::ConvertTo(d, whole)), d, rest);
+        const VI moved = hn::Add(hn::Load(di, coordinate), whole);
+        hn::Store(moved, di, coordinate);
+        return moved;
+    }
     HWY_INLINE void operator()(MixedState& s, int g, V u, V v, V& w) const {
-        const DI d;
         w = hn::Add(w, turn);
-        int32_t *const px = s.packing.x.data() + g, *const py = s.packing.y.data() + g;
-        const VI x = hn::Add(hn::Load(d, px), hn::NearestInt(units.x(u, v))),
-                 y = hn::Add(hn::Load(d, py), hn::NearestInt(units.y(u, v)));
-        hn::Store(x, d, px), hn::Store(y, d, py);
+        const VI x = Moved(units.x(u, v), s.packing.x.data() + g, s.packing.x_rest.data() + g),
+                 y = Moved(units.y(u, v), s.packing.y.data() + g, s.packing.y_rest.data() + g);
         const V r = hn::Load(D(), s.radius.data() + g), zero = hn::Zero(D());
         const V first[4] = {hn::BitCast(D(), x), hn::BitCast(D(), y), u, v}, last[4] = {w, r, zero, zero};
         StoreRecords(first, last, s.record.data() + kRecord * FirstPlace(g));

@@ -12,7 +12,8 @@ int other(const NearPair& p, int grain) { return p.i == grain ? p.j : p.i; }
 }  // namespace
 
 // To the grain that has fewer; then those with more than their share hand on.
-const std::vector<std::int32_t>& PairOwners::share(const std::vector<NearPair>& pairs, int count, int grains) {
+const std::vector<std::int32_t>& PairOwners::share(const std::vector<NearPair>& pairs, int count,
+                                                   int grains) {
     SG_EXPECT(count >= 0 && static_cast<std::size_t>(count) <= pairs.size() && grains > 0);
     owner_.resize(count);
     load_.assign(grains, 0);

@@ -29,6 +29,7 @@ void place_grain(const Packing& p, const Mat2& inverse, int g, MixedPacking& out
     const Vec2 x(p.x[g], p.y[g]), share = inverse * x;
     const Vec2 v = p.vx.empty() ? Vec2(0, 0) : Vec2(p.vx[g], p.vy[g]), u = v - p.L * x;
     out.x[g] = units(share.x()), out.y[g] = units(share.y());
+    out.x_rest[g] = out.y_rest[g] = 0;
     out.u[g] = float(u.x()), out.v[g] = float(u.y());
     out.w[g] = p.spin.empty() ? 0.0f : float(p.spin[g]);
 }
@@ -36,8 +37,9 @@ void place_grain(const Packing& p, const Mat2& inverse, int g, MixedPacking& out
 }  // namespace
 
 std::size_t MixedPacking::bytes() const {
-    return 4 * (x.capacity() + y.capacity() + inverse_allowance2.capacity() + u.capacity() + v.capacity() + w.capacity()) + rows.capacity() +
-           2 * (partner.capacity() + loose_first.capacity()) +
+    return 4 * (x.capacity() + y.capacity() + x_rest.capacity() + y_rest.capacity() +
+                inverse_allowance2.capacity() + u.capacity() + v.capacity() + w.capacity()) +
+           rows.capacity() + 2 * (partner.capacity() + loose_first.capacity()) +
            4 * (tangential.capacity() + moment.capacity() + loose_gap.capacity());
 }
 
@@ -46,7 +48,8 @@ void resize_grains(MixedState& s, int n) {
     const std::size_t room = room_for(n);
     s.packing.grains = n, s.grains_of.reset();
     for (auto* a : {&s.packing.x, &s.packing.y}) a->assign(room, 0);
-    for (auto* a : {&s.packing.u, &s.packing.v, &s.packing.w, &s.packing.inverse_allowance2, &s.radius, &s.inverse_mass, &s.inverse_inertia,
+    for (auto* a : {&s.packing.x_rest, &s.packing.y_rest, &s.packing.u, &s.packing.v, &s.packing.w,
+                    &s.packing.inverse_allowance2, &s.radius, &s.inverse_mass, &s.inverse_inertia,
                     &s.fx_on_first, &s.fy_on_first, &s.torque_on_first})
         a->assign(room, 0);
     s.record.assign(8 * room, 0), s.on_second.assign(4 * room, 0);
@@ -70,15 +73,6 @@ void place(const Packing& p, MixedState& s, MixedList& list) {
     for (int g = 0; g < s.packing.grains; ++g) place_grain(p, inverse, g, s.packing);
     s.packing.H = p.H, s.packing.L = p.L;
     list.relist(s, p.contacts);
-}
-
-Vec2 centre(const MixedPacking& p, int g) {
-    const auto share = [](std::int32_t units) { return static_cast<std::uint32_t>(units) / kPeriod; };
-    return p.H * Vec2(share(p.x[g]), share(p.y[g]));
-}
-
-Vec2 branch(const MixedPacking& p, const NearestImage& image) {
-    return p.H * (Vec2(image.x, image.y) / kPeriod);
 }
 
 Packing to_packing(const MixedPacking& p, const std::vector<double>& radii) {

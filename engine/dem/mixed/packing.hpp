@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "dem/mixed/geometry.hpp"
 #include "dem/mixed/list.hpp"
 #include "dem/mixed/state.hpp"
 #include "dem/packing/packing.hpp"
@@ -16,12 +17,6 @@ void place(const Packing& packing, MixedState& state, MixedList& list);
 
 // -> Packing, grains wrapped into the cell. `radii` [N].
 Packing to_packing(const MixedPacking& packing, const std::vector<double>& radii);
-
-// Centre of a grain, wrapped into the cell [m].
-Vec2 centre(const MixedPacking& packing, int grain);
-
-// From a grain to the nearest image of another [m].
-Vec2 branch(const MixedPacking& packing, const NearestImage& image);
 
 // Too thin a cell: two images of a grain are within reach of another.
 bool too_thin(const Mat2& H, double radius_max);

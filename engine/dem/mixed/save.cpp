@@ -31,7 +31,8 @@ void require_sound(const MixedPacking& p, double radius_max) {
     require_state(std::ranges::all_of(p.loose_gap, [](float gap) { return gap >= -1; }), "numbers");
     require_state(p.H.allFinite() && p.L.allFinite() && std::isfinite(p.wear), "numbers");
     require_state(!too_thin(p.H, radius_max), "cells");
-    for (const auto* values : {&p.u, &p.v, &p.w, &p.inverse_allowance2, &p.tangential, &p.moment})
+    for (const auto* values :
+         {&p.x_rest, &p.y_rest, &p.u, &p.v, &p.w, &p.inverse_allowance2, &p.tangential, &p.moment})
         require_state(std::ranges::all_of(*values, [](float x) { return std::isfinite(x); }), "numbers");
 }
 
@@ -41,6 +42,7 @@ void save(const MixedPacking& p, ByteWriter& out) {
     put(out, p.H), put(out, p.L);
     out.put(p.wear), out.put(p.pairs);
     put(out, p.x), put(out, p.y), put(out, p.inverse_allowance2);
+    put(out, p.x_rest), put(out, p.y_rest);
     put(out, p.u), put(out, p.v), put(out, p.w);
     put(out, p.rows), out.put(p.loose_gap);
     put(out, p.partner), put(out, p.loose_first);
@@ -54,6 +56,7 @@ void load(MixedPacking& p, int grains, double radius_max, ByteReader& in) {
     p.grains = grains;
     take(in, p.x, room), take(in, p.y, room);
     take(in, p.inverse_allowance2, room);
+    take(in, p.x_rest, room), take(in, p.y_rest, room);
     take(in, p.u, room), take(in, p.v, room), take(in, p.w, room);
     take(in, p.rows, room / MixedPacking::kLanes);
     in.take(p.loose_gap);

@@ -21,7 +21,8 @@ HWY_INLINE unsigned Near(const MixedPacking& p, const float* reach, const Tensor
     const DI di;
     const V a = hn::ConvertTo(d, hn::Sub(hn::Load(di, p.x.data() + j), hn::Set(di, p.x[i]))),
             b = hn::ConvertTo(d, hn::Sub(hn::Load(di, p.y.data() + j), hn::Set(di, p.y[i])));
-    const V dx = cell.x(a, b), dy = cell.y(a, b), most = hn::Add(hn::Load(d, reach + j), hn::Set(d, reach[i]));
+    const V dx = cell.x(a, b), dy = cell.y(a, b),
+            most = hn::Add(hn::Load(d, reach + j), hn::Set(d, reach[i]));
     const auto near = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), hn::Mul(most, most));
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, near, bytes);

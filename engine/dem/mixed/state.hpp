@@ -16,18 +16,19 @@ struct GrainSet;
 // and wraps by itself, so the difference of two is exact and that to the nearest image. Velocities are those
 // relative to the mean field L x and, as the forces, floats.
 // Pairs that touch stand in dealt rows: 16 grains make a block, each in a lane of its own; a block has `rows`
-// rows, in each of which every lane has one pair (or none: the first padding grain is its partner). The others
-// follow in loose rows of 16 pairs, sorted by gap: a row is looked at once `wear` has come up to it.
+// rows, in each of which every lane has one pair (or none: the first padding grain is its partner). The
+// others follow in loose rows of 16 pairs, sorted by gap: a row is looked at once `wear` has come up to it.
 struct MixedPacking {
     static constexpr int kLanes = 16;
 
     int grains = 0, pairs = 0;
-    Aligned<std::int32_t> x, y;         // [room]
-    Aligned<float> u, v, w;             // [room] velocity less L x [m/s], spin [rad/s]
-    std::vector<std::uint8_t> rows;     // [room/16]
-    Aligned<std::uint16_t> partner;     // [slots] place (below) of the second grain; dealt rows, loose rows
-    Aligned<float> tangential, moment;  // [slots] contact history [N], [N m]
-    std::vector<float> loose_gap;       // [loose rows] least gap of its pairs as a share of their allowances
+    Aligned<std::int32_t> x, y;          // [room]
+    Aligned<float> x_rest, y_rest;       // [room] of the moves, what is less than a unit
+    Aligned<float> u, v, w;              // [room] velocity less L x [m/s], spin [rad/s]
+    std::vector<std::uint8_t> rows;      // [room/16]
+    Aligned<std::uint16_t> partner;      // [slots] place (below) of the second grain; dealt rows, loose rows
+    Aligned<float> tangential, moment;   // [slots] contact history [N], [N m]
+    std::vector<float> loose_gap;        // [loose rows] least gap of its pairs as a share of their allowances
     Aligned<std::uint16_t> loose_first;  // [16 loose rows] place of the first grain
 
     Mat2 H = Mat2::Identity();  // cell
@@ -44,14 +45,14 @@ struct MixedPacking {
 // The same with what a step needs besides; scratch memory of one thread.
 struct MixedState {
     MixedPacking packing;
-    double radius_max = 0;                                   // [m]
-    Aligned<float> radius, inverse_mass, inverse_inertia;    // [room]; 0 for padding grains
-    std::shared_ptr<const GrainSet> grains_of;               // whose radii and masses these are, if a set's
-    Aligned<float> record;                                   // [8 room] x, y, u, v, w, r, 0, 0 by place
-    Aligned<float> on_second;                                // [4 room] fx, fy, torque, 0 by place
+    double radius_max = 0;                                     // [m]
+    Aligned<float> radius, inverse_mass, inverse_inertia;      // [room]; 0 for padding grains
+    std::shared_ptr<const GrainSet> grains_of;                 // whose radii and masses these are, if a set's
+    Aligned<float> record;                                     // [8 room] x, y, u, v, w, r, 0, 0 by place
+    Aligned<float> on_second;                                  // [4 room] fx, fy, torque, 0 by place
     Aligned<float> fx_on_first, fy_on_first, torque_on_first;  // [room]
-    Aligned<float> stiffness;                                // [slots] k_n of the pairs [N/m],
-    bool stiffness_known = false;                            // once a step has worked it out
+    Aligned<float> stiffness;                                  // [slots] k_n of the pairs [N/m],
+    bool stiffness_known = false;                              // once a step has worked it out
 };
 
 // Where grain g lies in `record` and `on_second`: the transposed order in each block of 16, so that columns

@@ -11,7 +11,7 @@ bool keep_list(MixedState& state, MixedList& list, double rate2, double dt);
 // `count` steps of dt under the constant gradient L: move, forces, kick. Forces and cell end in step, so the
 // stress (Love-Weber, compression positive [Pa]) belongs to the deformation reached; not a number once the
 // packing flies apart. `depth` is that of the cell [m].
-Mat2 visit(MixedState& state, MixedList& list, const KernelConstants& k, double depth, const Mat2& L, double dt,
-           int count);
+Mat2 visit(MixedState& state, MixedList& list, const KernelConstants& k, double depth, const Mat2& L,
+           double dt, int count);
 
 }  // namespace sandgraph::dem
