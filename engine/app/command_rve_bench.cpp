@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ctime>
 
 #include "app/command_rve.hpp"
+#include "base/error.hpp"
 #include "dem/fast/kernel.hpp"
 #include "dem/grain_scale.hpp"
 #include "dem/make_assembly.hpp"
@@ -16,7 +18,7 @@ struct Options {
     std::string packing;
     int grains = 400, steps = 20000;
     bool reference = false, growth = false;
-    std::string target;
+    std::string target, kernel = "double";
 };
 
 Mat2 simple_shear(double rate) { return (Mat2() << 0, rate, 0, 0).finished(); }
@@ -36,10 +38,14 @@ io::PackingRecord packing_of(const Options& options) {
     return {.packing = packings::base_packing(grains), .material = grains.material, .recipe = {}};
 }
 
+dem::Kernel kernel_of(const Options& options) {
+    if (options.reference) return dem::Kernel::reference;
+    return options.kernel == "mixed" ? dem::Kernel::mixed : dem::Kernel::fast;
+}
+
 // Time of a DEM step [us]; the contacts at its end.
 std::pair<double, int> measure(const Options& options, const io::PackingRecord& record, int steps) {
-    const auto kernel = options.reference ? dem::Kernel::reference : dem::Kernel::fast;
-    const auto assembly = dem::make_assembly(kernel, record.packing, record.material);
+    const auto assembly = dem::make_assembly(kernel_of(options), record.packing, record.material);
     const dem::GrainScale grains = dem::grain_scale(record.packing, record.material);
     const double time_step = grains.time_step;
     const Mat2 L = simple_shear(0.4 / grains.slowness);
@@ -49,7 +55,25 @@ std::pair<double, int> measure(const Options& options, const io::PackingRecord& 
     return {1e6 * (seconds() - start) / steps, static_cast<int>(assembly->observe().contacts)};
 }
 
+// Both kernels in turn, so that what else the machine does falls on both; medians of the rounds.
+void print_both(Options options) {
+    constexpr int rounds = 9;
+    const io::PackingRecord record = packing_of(options);
+    std::vector<double> of_double, of_mixed;
+    for (int round = 0; round < rounds; ++round) {
+        options.kernel = "double", of_double.push_back(measure(options, record, options.steps).first);
+        options.kernel = "mixed", of_mixed.push_back(measure(options, record, options.steps).first);
+    }
+    const auto median = [](std::vector<double>& times) {
+        std::ranges::nth_element(times, times.begin() + rounds / 2);
+        return times[rounds / 2];
+    };
+    const double slow = median(of_double), fast = median(of_mixed);
+    fmt::print("us_per_step double {:.3f} mixed {:.3f} ratio {:.3f}\n", slow, fast, slow / fast);
+}
+
 void print(const Options& options) {
+    if (options.kernel == "both") return print_both(options);
     const auto [us, contacts] = measure(options, packing_of(options), options.steps);
     fmt::print("us_per_step {:.3f} contacts {}\n", us, contacts);
 }
@@ -81,6 +105,9 @@ void print_targets(const Options& options) {
 }
 
 void run(const Options& options) {
+    if (options.growth && options.kernel == "both")
+        throw InputError({"rve bench", 0}, "--growth with --kernel both", "growth is of one kernel",
+                         "write --kernel double or --kernel mixed");
     if (options.growth) return print_growth(options);
     if (options.target == "all") return print_targets(options);
     if (!options.target.empty()) dem::use_kernel_target(options.target);
@@ -99,6 +126,11 @@ void add_rve_bench(CLI::App& rve) {
     bench->add_option("--steps", options->steps, "DEM steps to time")->check(CLI::Range(1, 1000000000));
     CLI::Option* reference = bench->add_flag("--reference", options->reference,
                                              "the published step instead of the optimised kernel");
+    bench
+        ->add_option("--kernel", options->kernel,
+                     "precision of the optimised kernel: double, mixed, or both in turn")
+        ->check(CLI::IsMember({"double", "mixed", "both"}))
+        ->excludes(reference);
     CLI::Option* growth = bench->add_flag("--growth", options->growth,
                                           "time against the number of grains: 100, 400, 1600, 10000");
     growth->excludes(packing, grains);

@@ -5,8 +5,8 @@
 
 namespace sandgraph::dem {
 
-// The published step (YADE's, to round-off) or the optimised kernel.
-enum class Kernel { reference, fast };
+// The published step (YADE's, to round-off), the optimised kernel, or that in mixed precision.
+enum class Kernel { reference, fast, mixed };
 
 std::unique_ptr<Assembly> make_assembly(Kernel kernel, const Packing& packing, const Material& material);
 

@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "base/contracts.hpp"
+#include "dem/mixed/packing.hpp"
+#include "dem/mixed/save.hpp"
+#include "dem/mixed/visit.hpp"
 #include "dem/packing/observe.hpp"
 #include "dem/packing/packing.hpp"
 #include "dem/reference/contact.hpp"
@@ -81,9 +84,28 @@ Mat2 run(Workspace& w, const KernelConstants& k, const Material& m, const Mat2& 
 }
 
 // A period must stay longer than two grains, or a grain would meet its own image.
-bool cell_too_thin(const FastState& s, const GrainSet& grains) {
-    const double longest = std::max(s.H.col(0).norm(), s.H.col(1).norm());
-    return !(s.H.determinant() / longest > 4 * grains.radius_max);
+bool cell_too_thin(const Mat2& H, const GrainSet& grains) {
+    const double longest = std::max(H.col(0).norm(), H.col(1).norm());
+    return !(H.determinant() / longest > 4 * grains.radius_max);
+}
+bool cell_too_thin(const Workspace& w, const GrainSet& grains, RveKernel kernel) {
+    return kernel == RveKernel::mixed ? too_thin(w.mixed.packing.H, grains.radius_max)
+                                      : cell_too_thin(w.state.H, grains);
+}
+
+// Takes the packing up, drives it and leaves it in the workspace; its stress.
+Mat2 drive_packing(const CompactPacking& before, const Material& m, RveKernel kernel, const Mat2& L, double dt,
+                   int count, Workspace& w) {
+    const KernelConstants k = kernel_constants(m);
+    if (kernel == RveKernel::mixed) {
+        unpack(before, w.mixed, w.mixed_list);
+        return visit(w.mixed, w.mixed_list, k, m.depth, L, dt, count);
+    }
+    unpack(before, w.state);
+    return run(w, k, m, L, dt, count);
+}
+void lay_down(const Workspace& w, RveKernel kernel, CompactPacking& out) {
+    kernel == RveKernel::mixed ? pack(w.mixed, out) : pack(w.state, out);
 }
 
 bool crushed(const CompactPacking& p, const Mat2& stretch) {
@@ -100,19 +122,23 @@ void save_packing(const CompactPacking& p, ByteWriter& out) {
     out.put(p.position), out.put(p.velocity);
     out.put(p.i), out.put(p.j), out.put(p.image);
     out.put(p.tangential), out.put(p.moment);
+    if (p.mixed) save(*p.mixed, out);
 }
 
+// One without positions is in the mixed kernel's form, which follows.
 void load_packing(CompactPacking& p, ByteReader& in) {
     for (Mat2* m : {&p.H, &p.L, &p.H_force, &p.LH, &p.stress}) take(in, *m);
     in.take(p.approach), in.take(p.pairs), in.take(p.inner);
     in.take(p.position), in.take(p.velocity);
     in.take(p.i), in.take(p.j), in.take(p.image);
     in.take(p.tangential), in.take(p.moment);
+    const GrainSet& grains = *p.grains;
+    if (p.position.empty()) load(p.mixed.emplace(), int(grains.radius.size()), grains.radius_max, in);
 }
 
 // The pair loop indexes by these without a look; the padding grain N is one of its partners.
 void require_sound(const CompactPacking& p) {
-    const std::size_t grains = p.grains->radius.size(), slots = p.i.size();
+    const std::size_t grains = p.mixed ? 0 : p.grains->radius.size(), slots = p.i.size();
     require_state(p.position.size() == 2 * grains && p.velocity.size() == 3 * grains, "grains");
     require_state(slots % FastState::kLanes == 0 && p.j.size() == slots && p.image.size() == slots &&
                       p.tangential.size() == slots && p.moment.size() == slots,
@@ -139,11 +165,40 @@ void turn(const Mat2& R, std::vector<double>& x, std::vector<double>& y) {
     }
 }
 
+// A pair in contact; d is the branch from i to j.
+ContactForce contact_force(const Contact& pair, const Vec2& d, const std::vector<double>& r,
+                           const Material& m) {
+    const double ri = r[pair.i], rj = r[pair.j];
+    ContactForce c{pair.i, pair.j, pair.cell_x, pair.cell_y};
+    c.n = d.normalized();
+    c.overlap = ri + rj - d.norm();
+    c.f_n = PairConstants(ri, rj, m).k_n * c.overlap;
+    c.f_t = pair.tangential * Vec2(c.n.y(), -c.n.x());
+    const double limit = m.rolling_limit * std::min(ri, rj) * c.f_n;
+    c.moment = std::clamp(pair.moment, -limit, limit);
+    return c;
+}
+
+std::vector<ContactForce> listed_contacts(const MixedPacking& p, const std::vector<double>& r,
+                                          const Material& m) {
+    std::vector<ContactForce> out;
+    out.reserve(p.pairs);
+    for_each_pair(p, [&](std::size_t slot, int i, int j) {
+        const NearestImage image = nearest_image(p, i, j);
+        const Vec2 d = branch(p, image);
+        if (d.squaredNorm() >= (r[i] + r[j]) * (r[i] + r[j])) return;
+        out.push_back(contact_force(
+            {i, j, image.cell_x, image.cell_y, p.tangential[slot], p.moment[slot]}, d, r, m));
+    });
+    return out;
+}
+
 // As contact_forces of a Packing, but the pairs are known: a list that the kernel just used holds every
 // contact. In the order of the pair loop.
 std::vector<ContactForce> listed_contacts(const CompactPacking& p, const Material& m) {
     const std::vector<double>& r = p.grains->radius;
     std::vector<ContactForce> out;
+    if (p.mixed) return listed_contacts(*p.mixed, r, m);
     out.reserve(p.i.size());
     for (std::size_t k = 0; k < p.i.size(); ++k) {
         const std::size_t i = p.i[k], j = p.j[k];
@@ -153,20 +208,21 @@ std::vector<ContactForce> listed_contacts(const CompactPacking& p, const Materia
                        Vec2(p.position[2 * i], p.position[2 * i + 1]);
         const double radii = r[i] + r[j];
         if (d.squaredNorm() >= radii * radii) continue;
-        ContactForce c{p.i[k], p.j[k], std::int16_t(cell.x()), std::int16_t(cell.y())};
-        c.n = d.normalized();
-        c.overlap = radii - d.norm();
-        c.f_n = PairConstants(r[i], r[j], m).k_n * c.overlap;
-        c.f_t = double(p.tangential[k]) * Vec2(c.n.y(), -c.n.x());
-        const double limit = m.rolling_limit * std::min(r[i], r[j]) * c.f_n;
-        c.moment = std::clamp(double(p.moment[k]), -limit, limit);
-        out.push_back(c);
+        const Contact pair{p.i[k],           p.j[k],       std::int16_t(cell.x()), std::int16_t(cell.y()),
+                           p.tangential[k], p.moment[k]};
+        out.push_back(contact_force(pair, d, r, m));
     }
     return out;
 }
 
+void bring_to_rest(MixedPacking& p) {
+    for (auto* velocity : {&p.u, &p.v, &p.w}) std::fill(velocity->begin(), velocity->end(), 0.0f);
+    p.L.setZero();
+}
+
 // Grains and cell; contact history stays with the pairs.
 Packing grains_of(const CompactPacking& p) {
+    if (p.mixed) return to_packing(p);
     const std::size_t n = p.grains->radius.size();
     Packing out;
     out.H = p.H, out.L = p.L, out.r = p.grains->radius;
@@ -238,9 +294,8 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     report.inertial_number =
         L.norm() * before.grains->mean_diameter *
         std::sqrt(material.density / std::max(mean(before.stress), options.pressure_floor));
-    unpack(before, work.state);
-    const Mat2 stress = run(work, kernel_constants(material), material, L, dt, report.dem_steps);
-    if (!stress.allFinite() || cell_too_thin(work.state, *before.grains)) {
+    const Mat2 stress = drive_packing(before, material, options.kernel, L, dt, report.dem_steps, work);
+    if (!stress.allFinite() || cell_too_thin(work, *before.grains, options.kernel)) {
         report.status = RveStatus::diverged;
         return report;
     }
@@ -248,7 +303,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
         own_ = std::make_unique<CompactPacking>();
         own_->grains = initial_->grains;
     }
-    pack(work.state, *own_);
+    lay_down(work, options.kernel, *own_);
     own_->stress = stress;
     const double share = double(report.dem_steps) / all;
     run_.add(share * strain);
@@ -265,6 +320,7 @@ void Rve::settle(const RveOptions& options) {
     if (p > options.float_pressure || volume_ < contact_volume_ * (1 + options.float_opening)) return;
     own_->stress.setZero(), own_->L.setZero(), own_->LH.setZero();
     std::fill(own_->velocity.begin(), own_->velocity.end(), 0.0f);
+    if (own_->mixed) bring_to_rest(*own_->mixed);
     floating_ = true;
 }
 

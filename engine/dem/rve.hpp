@@ -6,6 +6,8 @@
 #include "base/tensor.hpp"
 #include "dem/fast/kernel.hpp"
 #include "dem/fast/neighbour_list.hpp"
+#include "dem/mixed/list.hpp"
+#include "dem/mixed/state.hpp"
 #include "dem/packing/compact_packing.hpp"
 #include "dem/packing/observables.hpp"
 #include "dem/packing/packing.hpp"
@@ -34,6 +36,8 @@ struct RveReport {
 struct Workspace {
     FastState state;
     NeighbourList neighbours;
+    MixedState mixed;  // of RveKernel::mixed
+    MixedList mixed_list;
 };
 
 // The grains of one material point. The packing lives in a frame that turns with the point, so rotations are

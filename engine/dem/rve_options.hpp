@@ -5,6 +5,9 @@
 
 namespace sandgraph::dem {
 
+// Kernel of the visits: every digit double, or the faster one of dem/mixed, whose forces are float.
+enum class RveKernel { double_precision, mixed };
+
 // How an RVE follows its material point: work follows strain, not step count (DESIGN section 4).
 struct RveStepping {
     double time_step_fraction = 0.85;   // DEM step as a share of the longest stable one
@@ -19,6 +22,7 @@ struct RveStepping {
     double steady_factor = 1;     // by which the bounds on I and on a step's strain loosen at most ...
     double steady_strain = 0.01;  // ... as the strain one way comes to be so many times this
     int steps_max = 0;            // DEM steps of an update at most, the rest is for the next; 0: no bound
+    RveKernel kernel = RveKernel::double_precision;
 };
 
 // The same with what follows from the grains (rve_options below).

@@ -14,16 +14,17 @@
 namespace sandgraph::laboratory {
 namespace {
 
-// The optimised kernel relaxes the packing, then an RVE follows the path as in a run.
+// An optimised kernel relaxes the packing, then an RVE with it follows the path as in a run.
 std::vector<dem::ElementRow> run_fast_path(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
-    const RvePath path{spec.path, spec.material, dem::rve_options(spec.rve, spec.material, packing.r)};
+    RvePath path{spec.path, spec.material, dem::rve_options(spec.rve, spec.material, packing.r)};
+    if (spec.mode == dem::Kernel::mixed) path.options.kernel = dem::RveKernel::mixed;
     const auto assembly = dem::make_assembly(spec.mode, packing, spec.material);
     assembly->step(Mat2::Zero(), path.options.time_step, std::max(1, spec.path.relax_steps));
     return run_rve_path(assembly->packing(), assembly->stress(), path);
 }
 
 std::vector<dem::ElementRow> run_path(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
-    if (spec.mode == dem::Kernel::fast) return run_fast_path(spec, packing);
+    if (spec.mode != dem::Kernel::reference) return run_fast_path(spec, packing);
     return dem::run_path(*dem::make_assembly(spec.mode, packing, spec.material), spec.path);
 }
 
@@ -54,7 +55,7 @@ ElementOutcome outcome(const std::vector<Row>& rows, const std::string& metadata
 
 // The step of the DEM itself; in a fast path it only divides the path.
 void check_time_step(const scene::ElementTestSpec& spec, const dem::Packing& packing) {
-    if (spec.kind == scene::TestKind::path && spec.mode == dem::Kernel::fast) return;
+    if (spec.kind == scene::TestKind::path && spec.mode != dem::Kernel::reference) return;
     const double limit = 1.25 * dem::critical_time_step(spec.material, packing.r);
     const double time_step = scene::visit_test(spec, [](const auto& test) { return test.time_step; });
     if (time_step <= limit) return;

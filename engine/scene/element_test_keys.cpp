@@ -62,7 +62,8 @@ KeyTable element_test_keys(ElementTestSpec& spec) {
     auto top = keys.section("");
     top.choice("kind", spec.kind, test_kind_names(),
                "strain path, stress-driven compression, or shear at constant mean stress");
-    top.choice("mode", spec.mode, {"reference", "fast"}, "the published step, or the optimised kernel");
+    top.choice("mode", spec.mode, {"reference", "fast", "mixed"},
+               "the published step, the optimised kernel, or that in mixed precision");
     visit_test(spec, [&](auto& test) {
         top.integer("relax_steps", test.relax_steps, 0, "steps at rest before the test");
         add_keys(keys, test);

@@ -14,7 +14,7 @@ struct ElementTestSpec {
     TestKind kind = TestKind::path;
     dem::Kernel mode = dem::Kernel::fast;
     dem::Material material;
-    graph::RveSettings rve;  // mode = fast
+    graph::RveSettings rve;  // mode = fast or mixed
     dem::PathTest path;
     dem::BiaxialTest biaxial;
     dem::IsotropicTest isotropic;

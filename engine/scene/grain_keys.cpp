@@ -100,6 +100,8 @@ void add_stepping_keys(KeyTable& keys, graph::RveSettings& r) {
              "strain since the last reversal from which they do");
     rve.integer("steps_max", r.steps_max, 0,
                 "DEM steps of an update at most, the rest in the next MPM steps; 0: no bound");
+    rve.choice("kernel", r.kernel, {"double", "mixed"},
+               "precision of the DEM step: double, or float forces on exact positions (faster)");
 }
 
 void complete_grains(const KeyTable& keys, Grains& g) {

@@ -1,26 +1,12 @@
 #include "dem/fast/fast.hpp"
 
 #include <Eigen/LU>
-#include <numeric>
 
 #include "base/contracts.hpp"
 #include "dem/fast/packing.hpp"
 #include "dem/packing/observe.hpp"
 
 namespace sandgraph::dem {
-namespace {
-
-// A small packing lies in the nearest cache in any order and keeps that of its maker.
-std::vector<int> memory_order(const Packing& packing) {
-    constexpr std::size_t kSmall = 1000;
-    if (packing.size() > kSmall) return strip_order(packing);
-    std::vector<int> as_given(packing.size());
-    std::iota(as_given.begin(), as_given.end(), 0);
-    return as_given;
-}
-
-}  // namespace
-
 FastAssembly::FastAssembly(const Packing& packing, const Material& material)
     : material_(material), constants_(kernel_constants(material)), order_(memory_order(packing)) {
     SG_EXPECT(packing.size() > 0 && packing.area() > 0);

@@ -98,6 +98,14 @@ std::vector<int> strip_order(const Packing& p) {
     return order;
 }
 
+std::vector<int> memory_order(const Packing& packing) {
+    constexpr std::size_t kSmall = 1000;
+    if (packing.size() > kSmall) return strip_order(packing);
+    std::vector<int> as_given(packing.size());
+    std::iota(as_given.begin(), as_given.end(), 0);
+    return as_given;
+}
+
 std::vector<int> inverse_order(const std::vector<int>& order) {
     SG_EXPECT(distinct_below(order, order.size()));
     std::vector<int> out(order.size());

@@ -9,6 +9,7 @@
 #include "dem/fast/kernel.hpp"
 #include "dem/fast/neighbour_list.hpp"
 #include "dem/fast/packing.hpp"
+#include "dem/mixed/packing.hpp"
 
 namespace sandgraph::dem {
 namespace {
@@ -38,10 +39,31 @@ void take_masses(const std::shared_ptr<const GrainSet>& set, FastState& s) {
     s.masses_of = set;
 }
 
+void take_masses(const std::shared_ptr<const GrainSet>& set, MixedState& s) {
+    if (s.grains_of == set) return;
+    const int n = static_cast<int>(set->radius.size());
+    resize_grains(s, n);
+    const auto narrow = [](const std::vector<double>& from, Aligned<float>& to) {
+        std::transform(from.begin(), from.end(), to.begin(), [](double x) { return static_cast<float>(x); });
+    };
+    narrow(set->radius, s.radius);
+    narrow(set->inverse_mass, s.inverse_mass), narrow(set->inverse_inertia, s.inverse_inertia);
+    s.radius_max = set->radius_max;
+    s.grains_of = set;
+}
+
+// Of the other kernel's form: a list of its own.
+void convert(const CompactPacking& p, FastState& s) {
+    const Packing packing = to_packing(p);
+    load(packing, Material{}, s);
+    take_masses(p.grains, s);
+    NeighbourList().relist(s, packing.contacts);
+}
+
 }  // namespace
 
 std::size_t CompactPacking::bytes() const {
-    return sizeof *this + 8 * position.capacity() +
+    return sizeof *this + (mixed ? mixed->bytes() : 0) + 8 * position.capacity() +
            4 * (velocity.capacity() + tangential.capacity() + moment.capacity()) +
            2 * (i.capacity() + j.capacity()) + image.capacity();
 }
@@ -62,6 +84,7 @@ std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Mate
 }
 
 void unpack(const CompactPacking& p, FastState& s) {
+    if (p.mixed) return convert(p, s);
     SG_EXPECT(p.grains != nullptr && p.position.size() == 2 * p.grains->radius.size());
     SG_EXPECT(p.velocity.size() == 3 * p.grains->radius.size());
     SG_EXPECT(p.j.size() == p.i.size() && p.image.size() == p.i.size());
@@ -78,6 +101,7 @@ void unpack(const CompactPacking& p, FastState& s) {
 }
 
 void pack(const FastState& s, CompactPacking& p) {
+    p.mixed.reset();
     SG_EXPECT(s.i.size() == static_cast<std::size_t>(s.slots) && s.j.size() == s.i.size());
     p.position.resize(2 * s.grains);
     p.velocity.resize(3 * s.grains);
@@ -91,7 +115,21 @@ void pack(const FastState& s, CompactPacking& p) {
     p.H = s.H, p.L = s.L, p.H_force = s.H_force, p.LH = s.LH, p.approach = s.approach;
 }
 
+void unpack(const CompactPacking& p, MixedState& s, MixedList& list) {
+    SG_EXPECT(p.grains != nullptr);
+    take_masses(p.grains, s);
+    if (!p.mixed) return place(to_packing(p), s, list);
+    s.packing = *p.mixed;
+    s.stiffness.resize(s.packing.partner.size()), s.stiffness_known = false;
+}
+
+void pack(const MixedState& s, CompactPacking& p) {
+    p.mixed = s.packing;  // array by array: memory is kept
+    p.H = p.H_force = s.packing.H, p.L = s.packing.L, p.LH = p.L * p.H;
+}
+
 Packing to_packing(const CompactPacking& p) {
+    if (p.mixed) return to_packing(*p.mixed, p.grains->radius);
     FastState state;
     unpack(p, state);
     return unload(state);
@@ -101,6 +139,10 @@ std::int64_t content_hash(const CompactPacking& p) {
     Hasher hasher;
     const auto add = [&](const auto& values) { hasher.add(std::as_bytes(std::span(values))); };
     add(p.grains->radius), add(p.position);
+    if (p.mixed) {
+        add(p.mixed->x), add(p.mixed->y), add(p.mixed->rows), add(p.mixed->partner);
+        add(p.mixed->loose_first), add(p.mixed->tangential), add(p.mixed->moment);
+    }
     add(p.i), add(p.j), add(p.image);
     add(p.tangential), add(p.moment);
     hasher.add(std::as_bytes(std::span(p.H.data(), 4)));

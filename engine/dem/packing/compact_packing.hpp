@@ -1,10 +1,13 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/tensor.hpp"
 #include "dem/fast/state.hpp"
+#include "dem/mixed/list.hpp"
+#include "dem/mixed/state.hpp"
 #include "dem/packing/packing.hpp"
 
 namespace sandgraph::dem {
@@ -16,7 +19,7 @@ struct GrainSet {
     double radius_max = 0, mean_diameter = 0;                   // [m]
 };
 
-// A packing at rest in memory: the working state without padding and without what GrainSet holds. Positions
+// A packing at rest in memory, in the form of the kernel that drives it. For the double kernel: the working state without padding and without what GrainSet holds. Positions
 // keep double precision (overlaps are a thousandth of a radius); velocities and contact history are rounded
 // to float between two visits, a share of 6e-8 of themselves.
 struct CompactPacking {
@@ -29,6 +32,7 @@ struct CompactPacking {
     int pairs = 0, inner = 0;
     Mat2 H, L, H_force, LH;
     double approach = 0;
+    std::optional<MixedPacking> mixed;  // instead of all of the above but `grains`, H and L, which both know
     Mat2 stress = Mat2::Zero();  // of the last force evaluation [Pa], compression positive, packing frame
 
     std::size_t bytes() const;
@@ -40,6 +44,11 @@ std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Mate
 
 void unpack(const CompactPacking& packing, FastState& state);
 void pack(const FastState& state, CompactPacking& packing);
+
+// For the mixed kernel, whose form is taken up and laid down as it is, to the bit; a packing in the other form
+// is converted. `pack` leaves that form behind.
+void unpack(const CompactPacking& packing, MixedState& state, MixedList& list);
+void pack(const MixedState& state, CompactPacking& packing);
 Packing to_packing(const CompactPacking& packing);
 
 // Names a packing by its grains, pairs, contact history and cell.

@@ -124,7 +124,8 @@ TEST_P(EnergyBalance, WorkOnYieldingSandIsStoredMovesOrBecomesHeat) {
     EXPECT_GT(heat.damping, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kernel, EnergyBalance, testing::Values(KernelKind::reference, KernelKind::fast),
+INSTANTIATE_TEST_SUITE_P(Kernel, EnergyBalance,
+                         testing::Values(KernelKind::reference, KernelKind::fast, KernelKind::mixed),
                          test::name_of);
 
 }  // namespace

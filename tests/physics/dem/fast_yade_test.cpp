@@ -1,5 +1,6 @@
-// The public YADE cases on the fast kernel, through the functions of `rve test`. Later than a few per cent of
+// The public YADE cases on the optimised kernels, through the functions of `rve test`. Later than a few per cent of
 // strain the motion is chaotic; limits are the scatter over packings that the README of the files states.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -13,10 +14,16 @@ namespace {
 
 using test::matrix, test::Table;
 
-// Rows of a CSV that `rve test` wrote.
+class FastYade : public testing::TestWithParam<Kernel> {};
+INSTANTIATE_TEST_SUITE_P(Kernel, FastYade, testing::Values(Kernel::fast, Kernel::mixed), [](const auto& info) {
+    return info.param == Kernel::mixed ? "Mixed" : "Double";
+});
+
+// Rows of a CSV that `rve test` wrote, in the mode of the test that runs.
 Table fast_test(scene::ElementTestSpec spec, const Packing& packing) {
-    spec.mode = Kernel::fast;
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    spec.mode = FastYade::GetParam();
+    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::ranges::replace(name, '/', '_');
     const auto file = std::filesystem::path(testing::TempDir()) / ("fast_yade_" + name + ".csv");
     std::ofstream(file) << laboratory::run_element_test(spec, packing, "{}").csv;
     const Table table = test::read_csv(file.string());
@@ -61,14 +68,14 @@ void expect_pressures(const Table& ours, const Table& yades, std::initializer_li
     }
 }
 
-TEST(FastYade, IsotropicCompressionPathA) {
+TEST_P(FastYade, IsotropicCompressionPathA) {
     for (const std::string kind : {"dense", "loose"})
         expect_pressures(fast_path(kind, {{matrix(-0.1, 0, 0, -0.1), 10'000}}, 200),
                          test::read_table("path_a_" + kind + ".csv"),
                          {{1000, 0.01}, {2000, 0.02}, {5000, 0.03}, {10'000, 0.05}});
 }
 
-TEST(FastYade, IsochoricBiaxialPathB) {
+TEST_P(FastYade, IsochoricBiaxialPathB) {
     const std::vector<PathSegment> path{{matrix(0.1, 0, 0, -0.1), 50'000}};
     const Table dense = fast_path("dense", path, 200), yade = test::read_table("path_b_dense.csv");
     expect_pressures(dense, yade,
@@ -80,7 +87,7 @@ TEST(FastYade, IsochoricBiaxialPathB) {
     EXPECT_LT(pressure(loose, row_at(loose, 12'000)), 0.05 * 32e3);  // liquefied
 }
 
-TEST(FastYade, SimpleShearPathC) {
+TEST_P(FastYade, SimpleShearPathC) {
     const std::vector<PathSegment> path{{matrix(0, 0.4, 0, 0), 250'000}};
     const Table dense = fast_path("dense", path, 500), yade = test::read_table("path_c_dense.csv");
     expect_pressures(dense, yade, {{2500, 0.03}, {12'500, 0.1}, {50'000, 0.15}});
@@ -91,7 +98,7 @@ TEST(FastYade, SimpleShearPathC) {
     EXPECT_NEAR(late_ratio(fast_path("loose", path, 500), 125'000), 0.373, 0.06);
 }
 
-TEST(FastYade, ExtensionAndRecontactPathE) {
+TEST_P(FastYade, ExtensionAndRecontactPathE) {
     const std::vector<PathSegment> path{{matrix(0, 0, 0, 0.1), 20'000}, {matrix(0, 0, 0, -0.1), 30'000}};
     for (const std::string kind : {"dense", "loose"}) {
         const Table ours = fast_path(kind, path, 200), yade = test::read_table("path_e_" + kind + ".csv");
@@ -127,7 +134,7 @@ double line_through_origin(const std::string& kind) {
     return friction_angle(peaks) * 180 / std::numbers::pi;
 }
 
-TEST(FastYade, BiaxialStrengthLiesInTheScatterOfThreePackings) {
+TEST_P(FastYade, BiaxialStrengthLiesInTheScatterOfThreePackings) {
     const double dense = line_through_origin("dense"), loose = line_through_origin("loose");
     const double rounding = 0.05;  // of the published ends
     EXPECT_GE(dense, 29.9 - rounding);

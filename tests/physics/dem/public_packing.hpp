@@ -3,6 +3,7 @@
 #include <string>
 
 #include "dem/fast/fast.hpp"
+#include "dem/mixed/assembly.hpp"
 #include "dem/packing/csv.hpp"
 #include "dem/prepare/stages.hpp"
 #include "dem/reference/reference.hpp"
@@ -19,12 +20,14 @@ inline Packing public_packing(const std::string& kind, const std::string& pressu
     return read_packing_csv(yade_file("packing_" + kind + "_" + pressure + ".csv"));
 }
 
-enum class KernelKind { reference, fast };
+enum class KernelKind { reference, fast, mixed };
 inline std::unique_ptr<Assembly> assembly(KernelKind kind, const Packing& packing, const Material& material) {
     if (kind == KernelKind::fast) return std::make_unique<FastAssembly>(packing, material);
+    if (kind == KernelKind::mixed) return std::make_unique<MixedAssembly>(packing, material);
     return std::make_unique<ReferenceAssembly>(packing, material);
 }
 inline std::string name_of(const testing::TestParamInfo<KernelKind>& info) {
+    if (info.param == KernelKind::mixed) return "Mixed";
     return info.param == KernelKind::fast ? "Fast" : "Reference";
 }
 
