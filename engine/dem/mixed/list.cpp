@@ -72,7 +72,7 @@ void MixedList::relist(MixedState& s, const std::vector<Contact>& history) {
     SG_ENSURE(all_below(p.loose_first, static_cast<int>(p.room())));
 }
 
-// By the grain's speed over the mean one: grains that no contact holds fly ten times as fast as the others.
+// By the grain's speed over the mean one: a list is worn by the fastest few.
 void MixedList::allow(MixedState& s) {
     MixedPacking& p = s.packing;
     const auto speed = [&](int g) { return std::sqrt(p.u[g] * p.u[g] + p.v[g] * p.v[g]); };

