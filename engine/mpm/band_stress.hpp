@@ -15,7 +15,7 @@ namespace sandgraph::mpm {
 // strain does not matter; no closed path of strain yields work. |.| is the radius of Mohr's circle.
 class BandStress {
   public:
-    static constexpr double strength = 0.1;    // kappa
+    static constexpr double strength = 0.3;    // kappa
     static constexpr double stiffness = 0.25;  // k over the ground's largest P-wave modulus
 
     BandStress() = default;

@@ -1,6 +1,7 @@
 // What ground.internal_length does: a plate (H/B = 3) pulled out of Mohr-Coulomb sand that softens from 43 to
-// 33 deg, on several meshes. Load factors, width at half height and angle of the band above the plate's edge,
-// energy. Usage: bench_band_width LENGTH_IN_B CELLS_A_WIDTH... [-- KEY=VALUE...]
+// 33 deg over a shear of 0.3, or of another amount (1e9: it does not soften), on several meshes. Load
+// factors, width at half height and angle of the band above the plate's edge, energy. Usage: bench_band_width
+// LENGTH_IN_B SHEAR CELLS_A_WIDTH... [-- KEY=VALUE...]
 #include <fmt/format.h>
 
 #include <chrono>
@@ -34,7 +35,7 @@ struct Sand {
     double unit = 1;  // load of a factor of 1, of the half model [N/m]
 };
 
-Sand make(const scene::Scene& scene) {
+Sand make(const scene::Scene& scene, double shear) {
     const packings::PreparedGround ground = packings::prepare_ground(scene);
     simulation::Spec spec = simulation::spec_of(scene, ground);
     Sand sand;
@@ -46,7 +47,7 @@ Sand make(const scene::Scene& scene) {
         }
         support::SofteningConstants c;
         c.peak.friction_angle = 43 * kDegrees, c.peak.dilation_angle = 12 * kDegrees;
-        c.residual.friction_angle = 33 * kDegrees;
+        c.residual.friction_angle = 33 * kDegrees, c.shear = shear;
         auto law = std::make_unique<support::SofteningSand>(c, std::move(initial));
         sand.law = law.get();
         return law;
@@ -111,11 +112,11 @@ Energy energy(const mpm::Points& p) {
     return e;
 }
 
-void run(const std::string& length, int cells, std::vector<std::string> set) {
+void run(const std::string& length, double shear, int cells, std::vector<std::string> set) {
     set.push_back(fmt::format("domain.cell={:.17g} m", 1.0 / cells));
     set.push_back("ground.internal_length=" + length + " m");
     const scene::Scene scene = scene::parse_scene(kScene, "band", set);
-    const Sand sand = make(scene);
+    const Sand sand = make(scene, shear);
     simulation::Simulation& model = *sand.model;
     const double start = energy(model.state().points).height, end = scene.anchor.pull_to;
     double peak = 0, work = 0, steps = 0;
@@ -143,9 +144,10 @@ void run(const std::string& length, int cells, std::vector<std::string> set) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc < 4) return fmt::print(stderr, "bench_band_width LENGTH_IN_B SHEAR CELLS_A_WIDTH...\n"), 2;
     std::vector<std::string> set;
-    int last = 2;
+    int last = 3;
     while (last < argc && std::strcmp(argv[last], "--") != 0) ++last;
     for (int k = last + 1; k < argc; ++k) set.emplace_back(argv[k]);
-    for (int k = 2; k < last; ++k) run(argv[1], std::atoi(argv[k]), set);
+    for (int k = 3; k < last; ++k) run(argv[1], std::atof(argv[2]), std::atoi(argv[k]), set);
 }
