@@ -65,7 +65,7 @@ void LengthMean::weigh_point(const Points& points, std::size_t p, bool near, con
     const Weights along = average(x - half - s.x0, x + half - s.x0, s.cell),
                   up = average(y - half - s.y0, y + half - s.y0, s.cell);
     weight_[p] = {s.index(along.base, up.base), along.S, up.S,
-                  near ? stencil(grid, along, up, x, y).across : 0};
+                  near ? stencil(grid, along, up, x, y).across : 0u};
 }
 
 // Images behind the sides take no part in the passes.

@@ -52,7 +52,7 @@ double product(const Points& points, const std::vector<Deviator>& a, const std::
 
 TEST(LengthMean, LeavesAUniformFieldAlone) {
     const Ground g(random_points());
-    for (const Deviator& f : g.mean(std::vector<Deviator>(g.points.size(), {2, -3}), 0.2)) {
+    for (const Deviator& f : g.mean(std::vector<Deviator>(g.points.size(), {2.0, -3.0}), 0.2)) {
         EXPECT_NEAR(f[0], 2, 1e-12);
         EXPECT_NEAR(f[1], -3, 1e-12);
     }
