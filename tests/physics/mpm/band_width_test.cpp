@@ -128,7 +128,7 @@ TEST(BandWidth, ClosesTheEnergyBalance) {
         double work = 0;
         while (model.d_over_B() < 0.06) {
             model.step();
-            work += mpm::plate_work(s.bodies[0].plate, model.reaction(), s.settings.dt);
+            work += mpm::plate_work(s.bodies[0].plate, s.bodies[0].contact.reaction, s.settings.dt);
         }
         const double kinetic = mpm::kinetic_energy(pull.points());
         const double stored = s.stress_work + mpm::gravity_potential(pull.points(), {0, -9.81}) - start;
