@@ -29,6 +29,7 @@ void GroundState::archive(Archive& a) {
     field_of_known_length(a, "work", work);
     stress_work = work[0], node_work = {work[1], work[2]};
     law->archive(a);
+    bands.archive(a);
     if (a.reading()) order.stale = true;
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 #include <numeric>
 
+#include "mpm/band_stress.hpp"
 #include "mpm/boundary.hpp"
 #include "mpm/cell_mean.hpp"
 #include "mpm/contact.hpp"
@@ -42,8 +43,9 @@ struct GroundState {
     std::vector<Body> bodies;
     std::unique_ptr<stress::Law> law;
     std::vector<std::int32_t> all_points;  // 0 .. N-1, the law's batch
-    double light = 0;     // a lighter node follows its neighbours [kg/m] (mpm/light_nodes.hpp)
-    mpm::CellMean means;  // reduced integration, where a cell holds several points
+    double light = 0;       // a lighter node follows its neighbours [kg/m] (mpm/light_nodes.hpp)
+    mpm::BandStress bands;  // where bands have a width of their own
+    mpm::CellMean means;    // reduced integration, where a cell holds several points
     mpm::Status status;
     double d_over_B = 0;      // of the anchor before this step, for the law's records; 0 without one
     double stress_work = 0;   // accumulated sum of V sigma : d(eps), mid-step [J/m]

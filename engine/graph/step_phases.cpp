@@ -20,9 +20,13 @@ void place_bodies(GroundState& s) {
 void scatter_points(GroundState& s) {
     place_bodies(s);
     mpm::refresh(s.order, s.points, s.grid);
-    if (!s.means.active()) return mpm::points_to_grid(s.points, s.order, s.grid);
-    s.means.weigh(s.points, s.order, s.grid, s.settings.boundaries);
-    mpm::points_to_grid(s.points, s.means.stress(s.points, s.order), s.order, s.grid);
+    std::span<const Stress> stress = s.points.stress;
+    if (s.bands.active()) stress = s.bands.stress(s.points, s.order, s.grid);
+    if (s.means.active()) {
+        s.means.weigh(s.points, s.order, s.grid, s.settings.boundaries);
+        stress = s.means.stress(stress, s.order);
+    }
+    mpm::points_to_grid(s.points, stress, s.order, s.grid);
 }
 
 void load_grid(GroundState& s) {
@@ -48,6 +52,7 @@ void gather_points(GroundState& s) {
         mpm::grid_to_points(s.grid, {s.settings.dt, s.settings.scheme.pic_fraction}, s.order, s.points);
     if (s.means.active()) s.means.strain(s.order, s.points);
     s.work_before = mpm::stress_work(s.points);
+    if (s.bands.active()) s.stress_work += s.bands.work(s.points);
     if (!s.bodies.empty()) s.node_work += mpm::node_work(grid_step(s), s.grid);
 }
 

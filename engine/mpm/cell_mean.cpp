@@ -20,15 +20,6 @@ Along along(double c, double half, double origin, double cell) {
     return {static_cast<int>(first), std::min(1.0, (first + 1 - low) / width)};
 }
 
-// f(id) for all points; those of bands at once.
-template <class F>
-void for_points(const Order& order, F f) {
-    for_bands(order, 0, 1, [&](std::span<const std::int32_t> ids) {
-        for (const auto id : ids) f(static_cast<std::size_t>(id));
-    });
-    for (const auto id : order.near) f(static_cast<std::size_t>(id));
-}
-
 // F_inc = I + H; F and the volume follow.
 void set_increment(Points& points, std::size_t p, const std::array<double, 4>& H) {
     const Mat2 before = points.F_inc[p];
@@ -143,11 +134,11 @@ CellMean::Four CellMean::mean(std::size_t p) const {
     return m;
 }
 
-const std::vector<Stress>& CellMean::stress(const Points& points, const Order& order) {
-    SG_EXPECT(weight_.size() == points.size());
-    stress_.resize(points.size());
+const std::vector<Stress>& CellMean::stress(std::span<const Stress> stress, const Order& order) {
+    SG_EXPECT(weight_.size() == stress.size());
+    stress_.resize(stress.size());
     for_points(order, [&](std::size_t p) {
-        const Stress& s = points.stress[p];
+        const Stress& s = stress[p];
         value_[p] = {s.xx, s.xy, s.xy, s.yy};
     });
     add_up(order, false);

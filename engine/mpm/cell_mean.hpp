@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mpm/boundary.hpp"
@@ -25,7 +26,7 @@ class CellMean {
     // From the places and volumes at the start of a step; the order must be fresh.
     void weigh(const Points& points, const Order& order, const Grid& grid, const Boundaries& boundaries);
     // The stress that the internal force takes [Pa], by point id.
-    const std::vector<Stress>& stress(const Points& points, const Order& order);
+    const std::vector<Stress>& stress(std::span<const Stress> stress, const Order& order);
     // F_inc, F and volume of every point, as grid_to_points left them, with the mean gradient in them.
     void strain(const Order& order, Points& points);
 

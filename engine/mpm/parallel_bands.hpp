@@ -31,4 +31,13 @@ void for_bands(const Order& order, std::size_t first, std::size_t step, F f) {
         oneapi::tbb::parallel_for(first, order.bands(), step, run, oneapi::tbb::simple_partitioner{});
 }
 
+// f(id) for all points; those of bands at once.
+template <class F>
+void for_points(const Order& order, F f) {
+    for_bands(order, 0, 1, [&](std::span<const std::int32_t> ids) {
+        for (const auto id : ids) f(static_cast<std::size_t>(id));
+    });
+    for (const auto id : order.near) f(static_cast<std::size_t>(id));
+}
+
 }  // namespace sandgraph::mpm

@@ -13,6 +13,7 @@ namespace {
 
 // Free ground, in plate widths, that a plate needs between itself and a wall or the base.
 constexpr double clearance_in_widths = 1;
+constexpr double largest_length_in_domains = 0.1;
 constexpr double slack = 1e-9;  // for lengths that round-off moved [m]
 
 class Checks {
@@ -32,6 +33,20 @@ class Checks {
     void grid() const {
         whole_cells("domain.width", domain_.width);
         whole_cells("domain.depth", domain_.depth);
+    }
+    // Bands that cells resolve, and that are bands still.
+    void band_width() const {
+        const double length = ground_.internal_length, cell = domain_.cell;
+        const double most = largest_length_in_domains * std::min(domain_.width, domain_.depth);
+        if (length == 0) return;
+        if (length < cell * (1 - 1e-9))
+            refuse("ground.internal_length",
+                   fmt::format("below cell = {:.6g} m, which no band can be narrower than", cell),
+                   fmt::format("write \"{:.6g} m\" or more, or 0", 2 * cell));
+        if (length > most + slack)
+            refuse("ground.internal_length",
+                   "more than a tenth of the domain: no band, but all of the ground",
+                   fmt::format("write \"{:.6g} m\" or less", most));
     }
     // At the base, by the porosity that the recipe aims at.
     void borne() const {
@@ -314,6 +329,7 @@ class Checks {
 void check_scene(const Scene& scene, const KeyTable& keys) {
     const Checks checks(scene, keys);
     checks.grid();
+    checks.band_width();
     checks.borne();
     checks.one_sample_of_a_file();
     checks.densities();

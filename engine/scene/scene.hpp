@@ -78,6 +78,7 @@ struct Ground {
     double surcharge = 0;  // on the free surface [Pa]
     double k0 = 1;         // at rest, horizontal stress (along x and out of the plane) over vertical stress
     double gravity = 9.81;
+    double internal_length = 0;  // of shear bands [m]; 0: they are as wide as cells make them
     Grains grains;
     graph::RveSettings rve;
     Continuum continuum;

@@ -66,6 +66,11 @@ void add_ground_keys(KeyTable& keys, Ground& g) {
     // Isotropic ground has the hash of the time before this key.
     ground.real("k0", g.k0, "", above(0), "horizontal over vertical stress of the ground at rest").in_hash =
         g.k0 != 1;
+    // Local ground has the hash of the time before this key.
+    ground
+        .real("internal_length", g.internal_length, "m", at_least(0),
+              "width of the narrowest shear band, 2 cells or more; 0: bands are as narrow as cells let them")
+        .in_hash = g.internal_length > 0;
 }
 
 // Of grounds only: a recipe is one packing. One sample has the hash of the time before this key.

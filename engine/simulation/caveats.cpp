@@ -11,8 +11,9 @@ namespace sandgraph::simulation {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kSuspectRate = 0.5;   // a load 2 to 3 % too high
-constexpr double kFewestCells = 10;    // a plate width
+constexpr double kSuspectRate = 0.5;  // a load 2 to 3 % too high
+constexpr double kFewestCells = 10;   // a plate width
+constexpr double kFewestCellsOfBand = 2;
 constexpr double kFewestGrains = 200;  // the angle of smaller packings scatters by 5 deg and more
 constexpr double kSlack = 1e-6;        // for ratios that round-off moved
 
@@ -20,6 +21,15 @@ using Lines = std::vector<std::string>;
 
 void add(Lines& out, bool doubtful, const std::string& line) {
     if (doubtful) out.push_back(line);
+}
+
+// Of a length of one cell the grid's own width is nearly all.
+void add_band_width(const scene::Scene& s, Lines& out) {
+    const double length = s.ground.internal_length, cells = length / s.domain.cell;
+    add(out, length > 0 && cells < kFewestCellsOfBand - kSlack,
+        fmt::format("ground.internal_length = {:.4g} m is {:.2g} cells: bands still hang on the mesh; take "
+                    "domain.cell = {:.3g} m or less",
+                    length, cells, length / kFewestCellsOfBand));
 }
 
 double rounded_up(double length, double cell) { return cell * std::ceil(length / cell - kSlack); }
@@ -77,6 +87,7 @@ double rate_share(const scene::Scene& scene, const packings::PreparedGround& gro
 
 Lines caveats(const scene::Scene& s, const packings::PreparedGround& ground, const Simulation& simulation) {
     Lines out;
+    add_band_width(s, out);
     if (!s.loaded()) return out;
     add_cells(s, out);
     if (!s.anchor.present) return out;

@@ -211,6 +211,7 @@ Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground) 
     spec.boundaries.between_x = scene::shifts_x(scene), spec.boundaries.between_y = scene::shifts_y(scene);
     spec.gravity = Vec2(0, -scene.ground.gravity);
     spec.surcharge = scene.ground.surcharge;
+    spec.internal_length = scene.ground.internal_length;
     spec.scheme = scheme_of(scene);
     spec.bodies = bodies_of(scene, ground);
     for (BodySpec& body : spec.bodies) body.plate.trimmed = scene.domain.edges == scene::Edges::between_nodes;

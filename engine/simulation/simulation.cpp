@@ -56,6 +56,7 @@ std::unique_ptr<graph::GroundState> state_of(const Spec& spec) {
     auto state =
         std::make_unique<graph::GroundState>(settings_of(spec, modulus), std::move(points), spec.grid);
     state->law = std::move(law);
+    state->bands = mpm::BandStress(spec.internal_length, modulus, state->points, spec.grid.cell);
     state->law->initialise(state->batch());
     for (const BodySpec& body : spec.bodies) {
         mpm::RigidPlate plate = body.plate;

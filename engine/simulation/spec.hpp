@@ -43,6 +43,7 @@ struct Spec {
     mpm::Boundaries boundaries{mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
     Vec2 gravity = Vec2(0, -9.81);  // [m/s2]
     double surcharge = 0;           // on the free surface [Pa]
+    double internal_length = 0;     // of shear bands [m]; 0: the cell decides
     mpm::Scheme scheme;
     bool stable = true;            // false: courant may pass the stability limit, as a test of it wants
     std::vector<BodySpec> bodies;  // the first is the anchor, if there is one

@@ -78,7 +78,7 @@ TEST(CellMean, KeepsThePowerOfTheStress) {
     };
     CellMean mean(0.3);
     mean.weigh(g.points, g.order, g.grid, {});
-    const std::vector<Stress> taken = mean.stress(g.points, g.order);
+    const std::vector<Stress> taken = mean.stress(g.points.stress, g.order);
     double by_force = 0, by_law = 0;
     for (std::size_t p = 0; p < H.size(); ++p) by_force += power(taken, p, H[p]);
     mean.strain(g.order, g.points);

@@ -26,11 +26,12 @@ TEST(SceneHash, DiffersWithAnyValueThatMatters) {
                                          hash("[grains]\nseed = 2\n"),
                                          hash("[grains]\nsamples = 2\n"),
                                          hash("[ground]\nk0 = 0.5\n"),
+                                         hash("[ground]\ninternal_length = \"0.2 m\"\n"),
                                          hash("[grains]\ndensity = \"loose\"\n"),
                                          hash("[mpm]\ndamping = 0.1\n"),
                                          hash("[rve]\nsteps_min = 5\n"),
                                          hash("mode = \"screening\"\n")};
-    EXPECT_EQ(hashes.size(), 9u);
+    EXPECT_EQ(hashes.size(), 10u);
 }
 
 TEST(SceneHash, KeepsItsValueAcrossVersions) {

@@ -51,6 +51,11 @@ TEST(Caveats, NameAWedgeAheadOfAVerticalPlateThatIsCutOff) {
     expect_only(with(close, "domain.width=6.7 m"), "behind the plate");
 }
 
+TEST(Caveats, NameALengthThatCellsDoNotResolve) {
+    expect_only(doubts({"ground.internal_length=0.15 m"}), "0.15 m is 1.5 cells");
+    EXPECT_TRUE(doubts({"ground.internal_length=0.2 m"}).empty());
+}
+
 TEST(Caveats, NameCoarseCells) {
     expect_only(doubts({"domain.cell=0.125 m", "domain.width=3 m", "anchor.thickness=0.125 m"}),
                 "8 cells a plate width");
