@@ -28,6 +28,9 @@ class ChildProgram {
     std::optional<int> status_;
 };
 
+// For `arguments`: the program that runs now, also when its file has been replaced since it was started.
+inline constexpr const char* same_program = "/proc/self/exe";
+
 // The file of this very program.
 std::filesystem::path this_program();
 

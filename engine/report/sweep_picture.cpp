@@ -56,9 +56,9 @@ class Items {
         const char* colour = series_colour(k);
         const std::string name = fmt::format("curve{}.txt", k), closed = fmt::format("formula{}.txt", k);
         if (put(name, mark_rows(curve))) {
+            item(fmt::format("'{}' with yerrorbars pt 0 lw 1.5 lc rgb '{}' notitle", name, colour));
             item(fmt::format("'{}' with linespoints pt 7 ps 1.3 lw 1.5 lc rgb '{}' title {}", name, colour,
                              literal(curve.label)));
-            item(fmt::format("'{}' with yerrorbars pt 0 lw 1.5 lc rgb '{}' notitle", name, colour));
         }
         if (put(closed, formula_rows(curve)))
             item(fmt::format("'{}' with linespoints dt 2 pt 0 lw 1.5 lc rgb '{}' title {}", closed, colour,

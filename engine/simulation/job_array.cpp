@@ -31,16 +31,13 @@ int megabytes(const SweepPlan& plan) {
 std::string go_there() { return fmt::format("cd {}\n", shell_word(fs::current_path().string())); }
 
 // The shell gets Slurm's signal and hands it on; it waits in the background, for a trap runs only then.
-constexpr const char* kTask = R"(stop() {{ kill -INT "$child" 2>/dev/null; }}
+constexpr const char* kTask = R"(stopping=
+stop() {{ stopping=1; kill -INT "$child" 2>/dev/null; }}
 trap stop TERM INT
 {command} --threads "${{SLURM_CPUS_PER_TASK:-{threads}}}" --task "$SLURM_ARRAY_TASK_ID" &
 child=$!
-code=0
-wait "$child" || code=$?
-while kill -0 "$child" 2>/dev/null; do
-    code=0
-    wait "$child" || code=$?
-done
+wait "$child"; code=$?
+[ -z "$stopping" ] || {{ wait "$child"; code=$?; }} # the first was cut short by the signal
 # 3: stopped, can go on
 if [ "$code" = 3 ] && [ -n "${{SLURM_ARRAY_JOB_ID:-}}" ]; then
     scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID"

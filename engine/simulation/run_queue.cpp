@@ -23,8 +23,8 @@ constexpr auto kLookEvery = std::chrono::milliseconds(50);
 constexpr int kExitStopped = 3;  // of `sandgraph run`: it can go on
 
 std::vector<std::string> command_of(const SweepRun& run, int threads) {
-    std::vector<std::string> words{this_program().string(), "run",       run.request.scene,       "-o",
-                                   run.request.folder,      "--threads", std::to_string(threads), "--resume"};
+    std::vector<std::string> words{same_program,       "run",       run.request.scene,       "-o",
+                                   run.request.folder, "--threads", std::to_string(threads), "--resume"};
     for (const std::string& assignment : run.request.set) words.insert(words.end(), {"--set", assignment});
     return words;
 }

@@ -12,6 +12,7 @@ cell = "0.25 m"
 embedment_ratio = 1
 thickness = "0.25 m"
 pull_to = 0.002
+ramp = 0.001
 [ground]
 law = "mohr_coulomb"
 )";
@@ -76,6 +77,22 @@ TEST_F(Sweep, ItsJobArrayRunsTaskByTaskAndCollects) {
     expect_table_of("out", 2);
 }
 
+// Before its time is over Slurm signals the shell; `scontrol` here is a program of ours that says so.
+TEST_F(Sweep, ATaskThatIsStoppedIsQueuedAgain) {
+    std::string slow = kScene;
+    slow.replace(slow.find("0.002"), 5, "0.3");
+    shell_.write("s.toml", slow);
+    ASSERT_EQ(shell_.run("sweep t.toml -o out --slurm").exit_code, 0);
+    shell_.write("scontrol", "#!/bin/sh\necho \"$@\" >> '" + shell_.path("asked") + "'\n");
+    const std::string command =
+        "chmod +x '" + shell_.path("scontrol") + "'; PATH='" + shell_.path("") +
+        "':$PATH SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=1 timeout --foreground -s TERM 0.5 bash '" +
+        shell_.path("out/sweep.sbatch") + "' 2>/dev/null";
+    EXPECT_NE(std::system(command.c_str()), 0);
+    for (int k = 0; k < 500 && !shell_.exists("asked"); ++k) usleep(10'000);
+    EXPECT_EQ(shell_.read("asked"), "requeue 7_1\n");
+}
+
 TEST_F(Sweep, BadInputStartsNothing) {
     shell_.write("zip.toml", std::string("combine = \"zip\"\n") + kTable +
                                  "[[axis]]\nkey = \"anchor.width\"\nvalues = [\"1 m\"]\n");
@@ -91,7 +108,7 @@ TEST_F(Sweep, BadInputStartsNothing) {
 // A million points a run, 1 GB: each fits, a hundred do not.
 TEST_F(Sweep, JobsBeyondTheMemoryAreRefused) {
     std::string values;
-    for (int k = 0; k < 100; ++k) values += fmt::format("{}{}", k ? ", " : "", 1 + 0.01 * k);
+    for (int k = 0; k < 100; ++k) values += fmt::format("{}{}", k ? ", " : "", 0.1 + 0.001 * k);
     shell_.write("big.toml", "scene = \"s.toml\"\n[[axis]]\nkey = \"anchor.pull_to\"\nvalues = [" + values +
                                  "]\n[set]\ndomain.width = \"100 m\"\ndomain.depth = \"25 m\"\n"
                                  "domain.cell = \"0.05 m\"\n");
