@@ -9,6 +9,7 @@
 #include "scene/probe_spec.hpp"
 #include "scene/recipe_spec.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/sweep_keys.hpp"
 #include "scene/train_spec.hpp"
 
 namespace sandgraph::app {
@@ -30,6 +31,8 @@ std::string help_of(const std::string& what) {
     if (what == "train") return scene::key_help(scene::train_keys(train), scene::FileKind::train);
     scene::RecipeSpec recipe;
     if (what == "recipe") return scene::key_help(scene::recipe_keys(recipe), scene::FileKind::recipe);
+    scene::SweepSpec sweep;
+    if (what == "sweep") return scene::key_help(scene::sweep_keys(sweep), scene::FileKind::sweep);
     scene::Scene scene;
     return scene::key_help(scene::scene_keys(scene), scene::FileKind::scene);
 }
@@ -41,8 +44,8 @@ void add_keys_command(CLI::App& app, int&) {
         app.add_subcommand("keys", "lists every key of an input file with default, unit and range");
     auto what = std::make_shared<std::string>("scene");
     std::vector<std::string> files = scene::test_kind_names();
-    files.insert(files.begin(), {"scene", "recipe", "probe", "train"});
-    keys->add_option("file", *what, "scene, recipe, probe, train, or the kind of an element test")
+    files.insert(files.begin(), {"scene", "recipe", "probe", "train", "sweep"});
+    keys->add_option("file", *what, "scene, recipe, probe, train, sweep, or the kind of an element test")
         ->check(CLI::IsMember(files));
     keys->callback([what] { fmt::print("{}", help_of(*what)); });
 }

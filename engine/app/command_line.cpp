@@ -17,6 +17,7 @@ void add_commands(CLI::App& app, int& exit_code) {
     app.set_version_flag("--version", fmt::format("sandgraph {}", revision()));
     app.require_subcommand(1);
     add_run_command(app, exit_code);
+    add_sweep_command(app, exit_code);
     add_compare_command(app, exit_code);
     add_pareto_command(app, exit_code);
     add_rve_command(app, exit_code);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "base/child_program.hpp"
 #include "base/console.hpp"
 #include "base/file_name.hpp"
 #include "base/process.hpp"
@@ -26,7 +27,7 @@ struct Options {
 
 // The trainer is a program of its own: libtorch costs every process that loads it a second and 160 MB.
 fs::path trainer() {
-    fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "sandgraph-train";
+    fs::path program = this_program().parent_path() / "sandgraph-train";
     if (!fs::exists(program))
         throw std::runtime_error(
             "training needs libtorch, which was missing when this was built; install the Debian package "

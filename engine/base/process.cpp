@@ -1,8 +1,6 @@
 #include "base/process.hpp"
 
-#include <fcntl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,27 +12,13 @@
 #include <system_error>
 
 #include "base/contracts.hpp"
+#include "base/spawn.hpp"
 
 namespace sandgraph {
 namespace {
 
+static_assert(program_missing == no_such_program);
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-
-std::vector<char*> argv_of(std::vector<std::string>& arguments) {
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    return argv;
-}
-
-// Only async-signal-safe calls: the parent may have threads.
-[[noreturn]] void become(char* const* argv, const char* folder, const char* messages) {
-    const int in = ::open("/dev/null", O_RDONLY), out = ::open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    if (in < 0 || out < 0 || ::chdir(folder) != 0) ::_exit(126);
-    ::dup2(in, 0), ::dup2(out, 1), ::dup2(out, 2);
-    ::execvp(argv[0], argv);
-    ::_exit(errno == ENOENT ? program_missing : 126);
-}
 
 // "4:memory:/path" (version 1) or "0::/path" (version 2) of /proc/self/cgroup.
 double limit_of(const std::string& line) {
@@ -75,17 +59,7 @@ void on_signal(int signal) {
 
 int run_program(std::vector<std::string> arguments, const std::filesystem::path& folder,
                 const std::filesystem::path& messages) {
-    SG_EXPECT(!arguments.empty());
-    const std::vector<char*> argv = argv_of(arguments);
-    const pid_t child = ::fork();
-    if (child < 0)
-        throw std::system_error(errno, std::generic_category(), "cannot start " + arguments.front());
-    if (child == 0) become(argv.data(), folder.c_str(), messages.c_str());
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0)
-        if (errno != EINTR)
-            throw std::system_error(errno, std::generic_category(), "cannot wait for " + arguments.front());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return *status_of(spawn(std::move(arguments), folder, messages, Company::with_us), true);
 }
 
 void become_program(std::vector<std::string> arguments) {

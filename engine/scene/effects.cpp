@@ -109,6 +109,11 @@ constexpr auto probe_rules = std::to_array<EffectRule>({
     {"rve.steps_max", "", is, "", every_increment},
 });
 
+constexpr auto sweep_rules = std::to_array<EffectRule>({
+    {"combine", "rows", is, "\"\"", "no effect: the lines of a CSV are rows as they stand"},
+    {"axis", "rows", is, "\"\"", "no effect: {is}, its lines are the rows", "leave out the one or the other"},
+});
+
 constexpr auto train_rules = std::to_array<EffectRule>({
     {"model.start", "model.rung", is, "\"learned\"", "no effect: {is} starts from nothing",
      "leave it out, or write rung = \"learned\""},
@@ -180,6 +185,8 @@ std::span<const EffectRule> effect_rules(FileKind kind) {
             return element_test_rules;
         case FileKind::probe:
             return probe_rules;
+        case FileKind::sweep:
+            return sweep_rules;
         case FileKind::train:
             break;
     }

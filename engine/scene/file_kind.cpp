@@ -18,8 +18,8 @@ struct Kind {
 };
 
 // In the order of FileKind.
-const std::array<Kind, 5>& kinds() {
-    static const std::array<Kind, 5> all{{
+const std::array<Kind, 6>& kinds() {
+    static const std::array<Kind, 6> all{{
         {"a scene",
          "sandgraph run {}",
          {"domain", "anchor", "ground", "continuum", "mpm", "output", "surrogate", "gate", "audit",
@@ -28,6 +28,7 @@ const std::array<Kind, 5>& kinds() {
         {"a packing recipe", "sandgraph rve prepare {} -o P.h5", {"pressure"}},
         {"a probe recipe", "sandgraph rve probe {} -o LOG.h5", {"packings", "paths"}},
         {"a training recipe", "sandgraph train {} -o MODEL.h5", {"data", "model", "training", "steps"}},
+        {"a sweep", "sandgraph sweep {} -o DIR", {"scene", "axis", "rows", "samples", "combine"}},
     }};
     return all;
 }

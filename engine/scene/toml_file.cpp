@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -17,13 +19,14 @@ namespace {
                      "write --set section.key=value");
 }
 
-// Wraps the value as `section = {key = value}` so that it keeps the line it was parsed from.
-toml::table wrap(const std::string& name, const std::string& value) {
-    const auto dot = name.find('.');
-    const std::string inner =
-        fmt::format("{} = {}", dot == std::string::npos ? name : name.substr(dot + 1), value);
-    return toml::parse(dot == std::string::npos ? inner
-                                                : fmt::format("[{}]\n{}", name.substr(0, dot), inner));
+// `name = value` in line `line`, the value TOML or plain text; none for a name that is none.
+std::optional<toml::table> assigned(const std::string& name, const std::string& value, int line) {
+    const std::string before(static_cast<std::size_t>(std::max(line - 1, 0)), '\n');
+    for (const std::string& written : {value, fmt::format("'''{}'''", value)}) try {
+            return toml::parse(before + fmt::format("{} = {}", name, written));
+        } catch (const toml::parse_error&) {
+        }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -52,20 +55,19 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     }
 }
 
+toml::table parse_value(const std::string& name, const std::string& value, const InputError::Where& where) {
+    if (auto table = assigned(name, value, where.line)) return *std::move(table);
+    throw InputError(where, fmt::format("{} = {}", name, value), "not a key and its value",
+                     "write the key as section.name");
+}
+
 toml::table parse_override(const std::string& assignment) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos) refuse_assignment(assignment);
     const std::string name{trimmed(assignment.substr(0, equals))};
     const std::string value{trimmed(assignment.substr(equals + 1))};
-    try {
-        return wrap(name, value);
-    } catch (const toml::parse_error&) {
-    }
-    try {
-        return wrap(name, fmt::format("'''{}'''", value));
-    } catch (const toml::parse_error&) {
-        refuse_assignment(assignment);
-    }
+    if (auto table = assigned(name, value, 1)) return *std::move(table);
+    refuse_assignment(assignment);
 }
 
 void merge(toml::table& base, const toml::table& extra) {

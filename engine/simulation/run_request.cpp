@@ -14,15 +14,6 @@
 namespace sandgraph::simulation {
 namespace {
 
-// A word as a shell takes it.
-std::string quoted(const std::string& word) {
-    const bool plain = word.find_first_of(" \"'$&|;<>()[]*?#~\\`!{}") == std::string::npos && !word.empty();
-    if (plain) return word;
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-}
-
 // What is said twice on the command line is a slip.
 void refuse_twice(const RunRequest& a) {
     const auto sets = [&a](std::string_view key) {
@@ -38,6 +29,14 @@ void refuse_twice(const RunRequest& a) {
 }
 
 }  // namespace
+
+std::string shell_word(const std::string& word) {
+    const bool plain = word.find_first_of(" \"'$&|;<>()[]*?#~\\`!{}") == std::string::npos && !word.empty();
+    if (plain) return word;
+    std::string out = "'";
+    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
 
 int threads_of(const RunRequest& a) {
     return a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -60,9 +59,9 @@ scene::Scene scene_of(const RunRequest& a) {
 }
 
 std::string resume_command(const RunRequest& a, const std::filesystem::path& folder) {
-    std::string out = fmt::format("sandgraph run {} -o {}", quoted(a.scene), quoted(folder.string()));
+    std::string out = fmt::format("sandgraph run {} -o {}", shell_word(a.scene), shell_word(folder.string()));
     if (!a.mode.empty()) out += " --mode " + a.mode;
-    for (const std::string& assignment : a.set) out += " --set " + quoted(assignment);
+    for (const std::string& assignment : a.set) out += " --set " + shell_word(assignment);
     if (a.threads > 0) out += fmt::format(" --threads {}", a.threads);
     if (a.until > 0) out += fmt::format(" --until {}", a.until);
     return out + " --resume";

@@ -33,6 +33,9 @@ int threads_of(const RunRequest& request);
 // The checked scene of a request, with the surrogate's file found.
 scene::Scene scene_of(const RunRequest& request);
 
+// A word as a shell takes it.
+std::string shell_word(const std::string& word);
+
 // What to type to go on with a run that was stopped; words as a shell takes them.
 std::string resume_command(const RunRequest& request, const std::filesystem::path& folder);
 

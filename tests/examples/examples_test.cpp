@@ -9,6 +9,7 @@
 
 #include "laboratory/probe_plan.hpp"
 #include "scene/train_spec.hpp"
+#include "simulation/sweep_plan.hpp"
 #include "support/paths.hpp"
 #include "tests/support/subprocess.hpp"
 
@@ -63,7 +64,7 @@ const ElementExample elements[] = {
 };
 
 const std::set<std::string> others = {"models/probe.toml", "models/probe_guard.toml", "models/train.toml",
-                                      "models/train_friction.toml"};
+                                      "models/train_friction.toml", "sweeps/anchor_table.toml"};
 
 TEST(Examples, AllAreTested) {
     std::set<std::string> tested = others, there;
@@ -185,6 +186,21 @@ TEST(OfProbe, PlansItsPackingsAndPaths) {
     EXPECT_EQ(plan.packings.size(), 6u * 3 * 6);
     EXPECT_EQ(plan.jobs.size(), 1650u);
     EXPECT_EQ(plan.histories.size(), 2310u);  // with four twins of every tenth
+}
+
+TEST(OfSweep, PlansItsRunsEachAScene) {
+    const simulation::SweepPlan plan =
+        simulation::plan_sweep((configs / "sweeps/anchor_table.toml").string(), "out");
+    ASSERT_EQ(plan.runs.size(), 24u);
+    std::set<std::string> scenes;
+    for (const simulation::SweepRun& run : plan.runs) {
+        EXPECT_EQ(run.scene.mode, scene::Mode::screening);
+        scenes.insert(run.scene_hash);
+    }
+    EXPECT_EQ(scenes.size(), 24u);
+    EXPECT_EQ(plan.runs.back().scene.anchor.embedment_ratio, 5);
+    EXPECT_EQ(plan.runs.back().scene.domain.width, 16);
+    EXPECT_EQ(plan.runs.back().scene.ground.grains.density, "loose");
 }
 
 TEST(OfTraining, IsReadAndFindsWhatItNames) {

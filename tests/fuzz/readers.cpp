@@ -20,6 +20,7 @@
 #include "scene/read_scene.hpp"
 #include "scene/recipe_spec.hpp"
 #include "scene/segments.hpp"
+#include "scene/sweep_rows.hpp"
 #include "scene/train_spec.hpp"
 #include "surrogate/load_surrogate.hpp"
 
@@ -69,13 +70,14 @@ void read_run(const fs::path& file) {
     for (std::size_t k = 0; k < run.frames; ++k) io::read_run_frame(file, k);
 }
 
-constexpr std::array<Reader, 15> table = {{
+constexpr std::array<Reader, 16> table = {{
     {"scene", ".toml", [](const fs::path& f) { scene::read_scene(f.string()); }, write_scene},
     {"element_test", ".toml", [](const fs::path& f) { scene::read_element_test(f.string()); },
      write_element_test},
     {"recipe", ".toml", [](const fs::path& f) { scene::read_recipe(f.string()); }, write_recipe},
     {"probe", ".toml", [](const fs::path& f) { scene::read_probe(f.string()); }, write_probe},
     {"train", ".toml", [](const fs::path& f) { scene::read_train(f.string()); }, write_train},
+    {"sweep", ".toml", [](const fs::path& f) { scene::read_sweep_table(f.string()); }, write_sweep},
     {"segments", ".csv", read_segments, write_segments},
     {"packing_csv", ".csv", [](const fs::path& f) { dem::read_packing_csv(f); }, write_csv},
     {"packing_h5", ".h5", [](const fs::path& f) { io::read_packing(f); }, write_packing},

@@ -78,6 +78,14 @@ void write_train(const fs::path& file) {
         "[training]\nepochs = 150\nrate = 2e-2\n");
 }
 
+void write_sweep(const fs::path& file) {
+    write_text(file,
+               "scene = \"/proc/self/exe\"\nsamples = 2\ncombine = \"zip\"\n[set]\ngrains.count = 100\n"
+               "[[axis]]\nkey = \"anchor.embedment_ratio\"\nvalues = [2, 3]\n"
+               "with = { \"domain.depth\" = [\"7 m\", \"8 m\"] }\n"
+               "[[axis]]\nkey = \"grains.density\"\nvalues = [\"dense\", \"loose\"]\n");
+}
+
 void write_checkpoint(const fs::path& file) {
     fs::remove(file);
     io::CheckpointWriter out(file, {"hash", "git", 0.1});

@@ -18,6 +18,7 @@ void write_recipe(const std::filesystem::path& file);
 void write_segments(const std::filesystem::path& file);
 void write_probe(const std::filesystem::path& file);
 void write_train(const std::filesystem::path& file);
+void write_sweep(const std::filesystem::path& file);
 void write_checkpoint(const std::filesystem::path& file);
 void write_state(const std::filesystem::path& file);  // a checkpoint of a whole ground
 void write_history(const std::filesystem::path& file);

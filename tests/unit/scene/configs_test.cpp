@@ -3,6 +3,7 @@
 #include "scene/element_test_spec.hpp"
 #include "scene/probe_spec.hpp"
 #include "scene/recipe_spec.hpp"
+#include "scene/sweep_rows.hpp"
 #include "scene/train_spec.hpp"
 #include "support/paths.hpp"
 #include "tests/unit/scene/refused.hpp"
@@ -25,6 +26,8 @@ TEST(Configs, AllAreValid) {
             EXPECT_NO_THROW(read_probe(file)) << name;
         else if (name.starts_with("train"))
             EXPECT_NO_THROW(read_train(file)) << name;
+        else if (folder == "sweeps")
+            EXPECT_NO_THROW(read_sweep_table(file)) << name;
         else if (folder == "laboratory")
             EXPECT_NO_THROW(read_element_test(file)) << name;
         else
