@@ -25,8 +25,11 @@ constexpr auto kBook = std::to_array<Row>({
     {MeshCase::plate, 4, {1.6, 1.5, 0.3}, {-0.1, 0.6, -0.6}},
     {MeshCase::trapdoor, 1, {2.0, 1.1, -1.0}, {0.5, -0.1, -1.6}},
     {MeshCase::trapdoor, 4, {1.4, 0.6, -1.2}, {0.7, 0.4, -1.1}},
+    {MeshCase::vertical_plate, 1, {42.1, 26.1, 19.2}, {19.0, 12.0, 8.7}},
     {MeshCase::wall_passive, 1, {10.2, 8.1, 7.3}, {4.0, 3.8, 3.9}},
     {MeshCase::wall_active, 1, {-21.8, -27.4, -38.3}, {-12.0, -14.9, -21.6}},
+    {MeshCase::footing, 1, {70.1, 23.7, -6.3}, {52.5, 15.7, 8.3}},
+    {MeshCase::footing_surcharge, 1, {-11.2, -13.9, -17.0}, {-4.2, -5.3, -7.3}},
 });
 
 const Row* row_of(MeshCase of, int points) {
