@@ -94,8 +94,8 @@ bool cell_too_thin(const Workspace& w, const GrainSet& grains, RveKernel kernel)
 }
 
 // Takes the packing up, drives it and leaves it in the workspace; its stress.
-Mat2 drive_packing(const CompactPacking& before, const Material& m, RveKernel kernel, const Mat2& L, double dt,
-                   int count, Workspace& w) {
+Mat2 drive_packing(const CompactPacking& before, const Material& m, RveKernel kernel, const Mat2& L,
+                   double dt, int count, Workspace& w) {
     const KernelConstants k = kernel_constants(m);
     if (kernel == RveKernel::mixed) {
         unpack(before, w.mixed, w.mixed_list);
@@ -187,8 +187,8 @@ std::vector<ContactForce> listed_contacts(const MixedPacking& p, const std::vect
         const NearestImage image = nearest_image(p, i, j);
         const Vec2 d = branch(p, image);
         if (d.squaredNorm() >= (r[i] + r[j]) * (r[i] + r[j])) return;
-        out.push_back(contact_force(
-            {i, j, image.cell_x, image.cell_y, p.tangential[slot], p.moment[slot]}, d, r, m));
+        out.push_back(
+            contact_force({i, j, image.cell_x, image.cell_y, p.tangential[slot], p.moment[slot]}, d, r, m));
     });
     return out;
 }
@@ -208,7 +208,7 @@ std::vector<ContactForce> listed_contacts(const CompactPacking& p, const Materia
                        Vec2(p.position[2 * i], p.position[2 * i + 1]);
         const double radii = r[i] + r[j];
         if (d.squaredNorm() >= radii * radii) continue;
-        const Contact pair{p.i[k],           p.j[k],       std::int16_t(cell.x()), std::int16_t(cell.y()),
+        const Contact pair{p.i[k],          p.j[k],     std::int16_t(cell.x()), std::int16_t(cell.y()),
                            p.tangential[k], p.moment[k]};
         out.push_back(contact_force(pair, d, r, m));
     }
@@ -348,6 +348,8 @@ void Rve::load(ByteReader& in) {
     take(in, pending_), run_.load(in);
     require_state(std::isfinite(angle_) && volume_ > 0 && contact_volume_ > 0 && pending_.allFinite(),
                   "numbers");
+    // The rest of one update's strain: more would be driven for hours.
+    require_state((pending_ - Mat2::Identity()).cwiseAbs().maxCoeff() < 0.5, "numbers");
     require_state(own || !floating_, "flags");  // only a packing of its own opens up
     own_.reset();
     if (!own) return;
