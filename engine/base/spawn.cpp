@@ -14,9 +14,16 @@
 namespace sandgraph {
 namespace {
 
+// Whom a shell started in its background ignores SIGINT, and so would its children.
+void stand_alone() {
+    ::setpgid(0, 0);
+    ::signal(SIGINT, SIG_DFL);
+    ::prctl(PR_SET_PDEATHSIG, SIGINT);
+}
+
 // Only async-signal-safe calls: the parent may have threads.
 [[noreturn]] void become(char* const* argv, const char* folder, const char* messages, Company company) {
-    if (company == Company::alone) ::setpgid(0, 0), ::prctl(PR_SET_PDEATHSIG, SIGINT);
+    if (company == Company::alone) stand_alone();
     const int in = ::open("/dev/null", O_RDONLY), out = ::open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0644);
     if (in < 0 || out < 0 || ::chdir(folder) != 0) ::_exit(126);
     ::dup2(in, 0), ::dup2(out, 1), ::dup2(out, 2);
