@@ -3,15 +3,15 @@
 namespace sandgraph::restart {
 namespace {
 
-// Two by two pulls of a second or two on Mohr-Coulomb ground.
+// Two by two pulls of a second on Mohr-Coulomb ground.
 constexpr const char* kGround = R"(
 [domain]
 width = "3 m"
 depth = "4 m"
-cell = "0.1 m"
+cell = "0.2 m"
 [anchor]
 embedment_ratio = 1
-thickness = "0.1 m"
+thickness = "0.2 m"
 pull_to = 0.03
 [ground]
 law = "mohr_coulomb"
