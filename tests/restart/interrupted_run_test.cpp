@@ -59,7 +59,7 @@ TEST_F(InterruptedRun, KilledWhileItClearsUpIsResumedOrHasEnded) {
     expect_same_history("whole", "killed");
 
     std::ofstream(out("whole") / "history.part") << "rows";
-    EXPECT_EQ(run("whole", {"--resume"}), 2);
+    EXPECT_EQ(run("whole", {"--resume"}), 0);
     expect_same_history("killed", "whole");
     EXPECT_TRUE(fs::exists(out("whole") / "summary.json"));
 }

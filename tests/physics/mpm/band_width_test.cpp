@@ -86,7 +86,7 @@ TEST(BandWidth, MakesTheFallingLoadHangLessOnTheMesh) {
 TEST(BandWidth, LeavesGroundAtRestAtRest) {
     const Pull pull("0.25", 8);  // the plate rests for 0.05 s
     const std::vector<Stress> before = pull.points().stress;
-    pull.steps(120);
+    while (pull.model->time() < 0.045) pull.steps(1);
     for (std::size_t p = 0; p < before.size(); ++p)
         EXPECT_NEAR(pull.points().stress[p].xy, before[p].xy, 1e-6 * -before[p].yy);
     EXPECT_LT(mpm::kinetic_energy(pull.points()), 1e-12);
