@@ -64,6 +64,8 @@ std::unique_ptr<stress::Law> carrying_law(const mpm::Points& points) {
     graph::RveLawSetup setup = grains_of(points);
     setup.options.steps_max = 4, setup.options.rate_jump_max = 2;
     setup.options.steady_factor = 2, setup.options.steady_strain = 1e-5;
+    setup.visits = {
+        .update_tolerance = 0.005, .update_change_max = 0.2, .predictor = graph::Predictor::secant};
     return std::make_unique<graph::RveLaw>(std::move(setup));
 }
 
