@@ -23,16 +23,16 @@ std::vector<Axis> axes() {
          {2.5e-6, 4e-5}},
         {"update_tolerance",
          [](RveSettings& s, double v) { s.update_tolerance = v; },
-         {0.0025, 0.01},
-         {0, 0.00125, 0.02}},
+         {0.00125, 0.005},
+         {0, 0.000625, 0.01}},
         {"update_change_max",
          [](RveSettings& s, double v) { s.update_change_max = v; },
-         {0.1, 0.4},
-         {0.025, 0.05}},
+         {0.025, 0.1},
+         {0.0125, 0.2}},
         {"steps_min", [](RveSettings& s, double v) { s.steps_min = static_cast<int>(v); }, {1, 5}, {10, 20}},
         {"stress_per_step_max",
          [](RveSettings& s, double v) { s.stress_per_step_max = v; },
-         {0.0075, 0.03},
+         {0.005, 0.015},
          {0.0025, 1e6}},
         {"time_step_fraction",
          [](RveSettings& s, double v) { s.time_step_fraction = v; },
@@ -57,26 +57,9 @@ std::vector<StudySetting> tighter() {
         graph::RveSettings& s = out.back().stepping;
         s.update_tolerance = tolerance, s.inertial_number_max = inertial, s.strain_per_step_max = strain;
     };
-    add(0.0025, 1e-3, 1e-5);
-    add(0.00125, 5e-4, 1e-5);
-    add(0.00125, 5e-4, 5e-6);
-    return out;
-}
-
-// Rules of visits. 1: the former ones; 2: the default with the elastic predictor; 3: settling only where the
-// motion changes; 4: bounds that loosen with the strain since the last reversal; 5: updates of 40 steps at
-// most.
-std::vector<StudySetting> rules() {
-    std::vector<StudySetting> out;
-    const auto add = [&](const RveSettings& stepping) {
-        out.push_back({"rules", static_cast<double>(out.size() + 1), stepping});
-    };
-    RveSettings s;
-    add(former_stepping());
-    s.predictor = graph::Predictor::elastic, add(s), s = {};
-    s.rate_jump_max = 2, add(s), s = {};
-    s.steady_factor = 2, add(s), s = {};
-    s.steps_max = 40, add(s);
+    add(0.00125, 1e-3, 1e-5);
+    add(0.000625, 5e-4, 1e-5);
+    add(0.000625, 5e-4, 5e-6);
     return out;
 }
 
@@ -92,13 +75,6 @@ RveSettings reference_stepping() {
 RveSettings twin_stepping() {
     RveSettings s = reference_stepping();
     s.strain_per_step_max = 1.5e-6, s.inertial_number_max = 3e-4;
-    return s;
-}
-
-RveSettings former_stepping() {
-    RveSettings s;
-    s.update_tolerance = 0.0025, s.update_change_max = 0.05, s.predictor = graph::Predictor::elastic;
-    s.stress_per_step_max = 0.0075;
     return s;
 }
 
@@ -120,7 +96,8 @@ std::vector<StudySetting> study_settings(bool quick) {
         vary(axis, axis.near, out);
         if (!quick) vary(axis, axis.far, out);
     }
-    for (const auto& together : {tighter(), rules()}) out.insert(out.end(), together.begin(), together.end());
+    const std::vector<StudySetting> together = tighter();
+    out.insert(out.end(), together.begin(), together.end());
     return out;
 }
 

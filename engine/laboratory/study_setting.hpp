@@ -8,8 +8,7 @@ namespace sandgraph::laboratory {
 
 // One way to step an RVE: the default with one key changed, or a rule of its own.
 struct StudySetting {
-    std::string key;   // the key that differs; "default", "peers", "reference", "twin", "tighter"
-                       // or "rules"
+    std::string key;   // the key that differs; "default", "peers", "reference", "twin" or "tighter"
     double value = 0;  // of that key
     graph::RveSettings stepping;
 };
@@ -20,13 +19,11 @@ inline constexpr std::size_t study_reference = 0, study_twin = 1, study_peers = 
 graph::RveSettings reference_stepping();
 // Nearly as fine: how far it is from the reference is how far two right answers are apart.
 graph::RveSettings twin_stepping();
-// The default until visits became longer: elastic prediction within half the tolerance.
-graph::RveSettings former_stepping();
 // YADE driver of the FEM x DEM literature: max(1e5 |strain|, 2) DEM steps each load step, none skipped.
 graph::RveSettings peers_stepping();
 
 // The four above in the order of their indices, then every key varied up and down (quick: one value
-// each way), then several keys moved together, then other rules of visits (study_setting.cpp numbers them).
+// each way), then several keys moved together.
 std::vector<StudySetting> study_settings(bool quick);
 
 }  // namespace sandgraph::laboratory

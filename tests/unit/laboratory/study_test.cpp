@@ -74,9 +74,8 @@ TEST(StudySetting, EachVariationDiffersFromTheDefaultAndFromTheOthers) {
                              s.strain_per_step_max == t.strain_per_step_max &&
                              s.update_tolerance == t.update_tolerance &&
                              s.stress_per_step_max == t.stress_per_step_max &&
-                             s.pressure_floor == t.pressure_floor && s.predictor == t.predictor &&
-                             s.rate_jump_max == t.rate_jump_max && s.steady_factor == t.steady_factor &&
-                             s.steps_max == t.steps_max && s.update_change_max == t.update_change_max)
+                             s.pressure_floor == t.pressure_floor &&
+                             s.update_change_max == t.update_change_max)
                     << settings[a].key << settings[a].value << settings[b].key << settings[b].value;
             }
     }
@@ -159,8 +158,7 @@ TEST(StudyRun, TheDefaultErrsByOnePercentAtMostNearZeroPressure) {
     const std::vector<StudyRun> fine{run_history(low, history, reference_stepping())},
         usual{run_history(low, history, {})}, unsettled{run_history(low, history, bare)};
     EXPECT_LT(study_error(usual, fine, history, 1000).rms, 0.01);
-    EXPECT_GT(study_error(unsettled, fine, history, 1000).rms,
-              1.5 * study_error(usual, fine, history, 1000).rms);
+    EXPECT_GT(study_error(unsettled, fine, history, 1000).rms, 0.02);
 }
 
 TEST(StudyTable, ReferenceHasNoErrorAndPeersAreTheUnitOfCost) {
