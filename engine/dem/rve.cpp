@@ -7,7 +7,6 @@
 
 #include "base/contracts.hpp"
 #include "dem/mixed/packing.hpp"
-#include "dem/mixed/save.hpp"
 #include "dem/mixed/visit.hpp"
 #include "dem/packing/observe.hpp"
 #include "dem/packing/packing.hpp"

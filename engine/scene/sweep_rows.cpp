@@ -41,8 +41,7 @@ SweepValue checked(const std::string& key, const SweepValue& value, const InputE
     KeyTable keys = scene_keys(scene);
     keys.read(parse_value(key, value.toml, where), where.file);
     const Value& read = *keys.at(key).value;
-    const bool names_file = dynamic_cast<const InputFile*>(&read) != nullptr;
-    return names_file ? SweepValue{read.shown(), value.text} : value;
+    return read.names_file() ? SweepValue{read.shown(), value.text} : value;
 }
 
 // A key has one value in a row.

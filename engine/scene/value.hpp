@@ -31,6 +31,7 @@ class Value {
     virtual std::string canonical() const = 0;  // for the hash: SI, 14 digits so that 7 mm is 0.7 cm
     virtual std::string allowed() const { return ""; }
     virtual bool unit_weight() const { return false; }  // was a density written as weight?
+    virtual bool names_file() const { return false; }   // read() makes its path one from anywhere
 };
 
 }  // namespace sandgraph::scene

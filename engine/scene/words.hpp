@@ -34,6 +34,7 @@ class InputFile : public Text {
   public:
     using Text::Text;
     void read(const Entry& entry) override;
+    bool names_file() const override { return true; }
 };
 
 // One of a list of names; the index in the list goes to `set` and comes from `get`.

@@ -31,8 +31,8 @@ constexpr int padded(int n) { return (n + FastState::kLanes - 1) / FastState::kL
 // memory, so that the pair loop of a large packing stays in the near caches. Size N, a permutation.
 std::vector<int> strip_order(const Packing& packing);
 
-// The order in which the kernels keep grains: a small packing lies in the nearest cache in any order and keeps
-// that of its maker, a large one is put into strips.
+// The order in which the kernels keep grains: a small packing lies in the nearest cache in any order and
+// keeps that of its maker, a large one is put into strips.
 std::vector<int> memory_order(const Packing& packing);
 
 // Grain k of the result is grain order[k]; contacts follow. `order` is a permutation of 0 .. N-1.

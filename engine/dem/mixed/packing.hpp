@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "base/byte_stream.hpp"
 #include "dem/mixed/geometry.hpp"
 #include "dem/mixed/list.hpp"
 #include "dem/mixed/state.hpp"
@@ -17,6 +18,11 @@ void place(const Packing& packing, MixedState& state, MixedList& list);
 
 // -> Packing, grains wrapped into the cell. `radii` [N].
 Packing to_packing(const MixedPacking& packing, const std::vector<double>& radii);
+
+// A packing to the bit, for checkpoints; `grains` of it are known beforehand. Loading throws StateError for
+// what is no packing: the pair loop indexes by it without a look.
+void save(const MixedPacking& packing, ByteWriter& out);
+void load(MixedPacking& packing, int grains, double radius_max, ByteReader& in);
 
 // Too thin a cell: two images of a grain are within reach of another.
 bool too_thin(const Mat2& H, double radius_max);

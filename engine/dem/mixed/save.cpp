@@ -1,11 +1,9 @@
-#include "dem/mixed/save.hpp"
+#include "dem/mixed/packing.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-
-#include "dem/mixed/packing.hpp"
 
 namespace sandgraph::dem {
 namespace {

@@ -19,9 +19,10 @@ struct GrainSet {
     double radius_max = 0, mean_diameter = 0;                   // [m]
 };
 
-// A packing at rest in memory, in the form of the kernel that drives it. For the double kernel: the working state without padding and without what GrainSet holds. Positions
-// keep double precision (overlaps are a thousandth of a radius); velocities and contact history are rounded
-// to float between two visits, a share of 6e-8 of themselves.
+// A packing at rest in memory, in the form of the kernel that drives it. For the double kernel: the working
+// state without padding and without what GrainSet holds. Positions keep double precision (overlaps are a
+// thousandth of a radius); velocities and contact history are rounded to float between two visits, a share of
+// 6e-8 of themselves.
 struct CompactPacking {
     std::shared_ptr<const GrainSet> grains;
     std::vector<double> position;           // [2 N] x, y of each grain
@@ -45,8 +46,8 @@ std::shared_ptr<const CompactPacking> compact(const Packing& packing, const Mate
 void unpack(const CompactPacking& packing, FastState& state);
 void pack(const FastState& state, CompactPacking& packing);
 
-// For the mixed kernel, whose form is taken up and laid down as it is, to the bit; a packing in the other form
-// is converted. `pack` leaves that form behind.
+// For the mixed kernel, whose form is taken up and laid down as it is, to the bit; a packing in the other
+// form is converted. `pack` leaves that form behind.
 void unpack(const CompactPacking& packing, MixedState& state, MixedList& list);
 void pack(const MixedState& state, CompactPacking& packing);
 Packing to_packing(const CompactPacking& packing);
