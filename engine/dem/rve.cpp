@@ -329,6 +329,11 @@ double Rve::strain_per_step(const Material& material, const RveOptions& options)
 
 Mat2 Rve::stress() const { return turned(packing().stress, angle_); }
 
+Mat2 Rve::strain_to_follow() const {
+    if (floating_) return Mat2::Zero();
+    return turned(hencky(pending_), angle_);
+}
+
 double Rve::porosity() const {
     return 1 - packing().grains->solid_area / (packing().H.determinant() * pending_.determinant());
 }

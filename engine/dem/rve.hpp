@@ -63,6 +63,8 @@ class Rve {
     double angle() const { return angle_; }          // rotation of the packing's frame [rad]
     double volume_ratio() const { return volume_; }  // J since the start
     double porosity() const;
+    // Strain of an unfinished update that the grains have still to follow, lab frame, tension positive.
+    Mat2 strain_to_follow() const;
     const CompactPacking& packing() const { return own_ ? *own_ : *initial_; }
 
     // For checkpoints. The initial packing is not part of the state; StateError for what is no state of it.

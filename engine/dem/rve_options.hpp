@@ -15,7 +15,7 @@ struct RveStepping {
     double strain_per_step_max = 1e-5;
     double pressure_floor = 1000;         // p below which the inertial limit tightens no further [Pa]
     int steps_min = 2;                    // DEM steps of an update at least
-    double stress_per_step_max = 0.0075;  // elastic stress change of a step, share of p, up to settle_steps
+    double stress_per_step_max = 0.015;  // elastic stress change of a step, share of p, up to settle_steps
     // A packing that goes on the way of its last update settles only as far as its strain rate is more than
     // this many times the last one; 0: always.
     double rate_jump_max = 0;

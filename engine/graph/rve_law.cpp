@@ -118,16 +118,27 @@ void RveLaw::drive(const stress::Batch& batch) {
         counters_.count(answers_[slot].report, predictions_[slot].waited, predictions_[slot].error);
 }
 
+Stress stress_on_the_way(const RveAnswer& answer, Visits& visits, std::int32_t point,
+                         const RveLawSetup& setup) {
+    const Mat2& e = answer.to_follow;
+    Stress s = tension_positive(answer.stress);
+    add(s, visits.carry(point, {e(0, 0), e(1, 1), e(0, 1)}, setup.packing(point).moduli, setup.visits));
+    return s;
+}
+
 void RveLaw::settle(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = due_[slot].point;
     SG_EXPECT(visits_.due(p));
     predictions_[slot] = {};
-    if (answers_[slot].report.unfinished) return visits_.carry(p);
+    if (answers_[slot].report.unfinished) {
+        batch.stress[p] = stress_on_the_way(answers_[slot], visits_, p, setup_);
+        return;
+    }
     const Stress now = tension_positive(answers_[slot].stress);
     const double reference = reference_pressure(now, setup_.options.pressure_floor);
     const Stress beyond = difference(now, batch.stress[p]);
     const double error = norm(beyond) / reference;
-    visits_.learn(p, beyond, setup_.visits);
+    visits_.learn(p, beyond, setup_.packing(p).moduli, setup_.visits);
     predictions_[slot] = {error, visits_.answered(p, reference, error, setup_.visits)};
     batch.stress[p] = now;
 }

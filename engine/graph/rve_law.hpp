@@ -47,6 +47,11 @@ struct RveCounters {
 // The update of a watched point, of an answer that was observed.
 dem::RveUpdate update_of(std::int32_t point, const RveJob& job, const RveAnswer& answer);
 
+// The stress of a point whose packing goes on following it in the next step [Pa], tension positive: what the
+// grains have come to, and a prediction of the rest.
+Stress stress_on_the_way(const RveAnswer& answer, Visits& visits, std::int32_t point,
+                         const RveLawSetup& setup);
+
 // A packing of grains at every material point, behind the stress contract. Between two DEM updates a point's
 // stress follows its small-strain stiffness. How far that prediction may move the stress before the grains
 // are asked is each point's own admissible change: it grows while predictions come true and shrinks where

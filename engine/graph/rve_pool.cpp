@@ -76,6 +76,7 @@ class LocalPool final : public RvePool {
         const dem::Rve& rve = rves_[job.rve];
         floating_[job.rve] = rve.floating();
         out.stress = rve.stress(), out.volume_ratio = rve.volume_ratio();
+        if (out.report.unfinished) out.to_follow = rve.strain_to_follow();
         if (job.observed) out.seen = dem::observe(rve, material_);
         return out;
     }

@@ -13,9 +13,9 @@ enum class Predictor { elastic, secant };
 
 // How true the stress between two answers of a point's law shall be.
 struct VisitSettings {
-    double update_tolerance = 0.0025;  // error aimed at of the predicted stress, share of p
-    double update_change_max = 0.05;   // largest predicted stress change between two answers, share of p
-    Predictor predictor = Predictor::elastic;
+    double update_tolerance = 0.005;  // error aimed at of the predicted stress, share of p
+    double update_change_max = 0.2;    // largest predicted stress change between two answers, share of p
+    Predictor predictor = Predictor::secant;
 };
 
 // [rve]: how a packing follows its point, and how often it is asked.

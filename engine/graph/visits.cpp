@@ -40,21 +40,27 @@ bool Visits::answered(std::int32_t point, double reference, double error, const 
     return std::exchange(waited_[p], std::uint8_t{0}) != 0;
 }
 
-void Visits::learn(std::int32_t point, const Stress& beyond, const VisitSettings& settings) {
+void Visits::learn(std::int32_t point, const Stress& beyond, const PlaneModuli& moduli,
+                   const VisitSettings& settings) {
     const auto p = static_cast<std::size_t>(point);
     if (settings.predictor == Predictor::elastic) return;
-    // Of what was carried over the strain is not collected any more.
-    if (carried_[p] || !std::isfinite(norm(beyond)))
+    if (!std::isfinite(norm(beyond)))
         secants_.forget(p);
+    else if (carried_[p])
+        secants_.learn_nothing(p);  // of what was carried over the strain is not collected any more
     else
-        secants_.learn(p, collected_[p], beyond);
+        secants_.learn(p, collected_[p], beyond, moduli);
 }
 
-void Visits::carry(std::int32_t point) {
+Stress Visits::carry(std::int32_t point, const Stress& rest, const PlaneModuli& moduli,
+                     const VisitSettings& settings) {
     const auto p = static_cast<std::size_t>(point);
     SG_EXPECT(due_[p]);
     collected_[p].setIdentity();
     carried_[p] = waited_[p] = 1;
+    const Stress elastic = elastic_stress(moduli, rest);
+    if (settings.predictor == Predictor::elastic) return elastic;
+    return difference(elastic, secants_.shortfall_ahead(p, rest));
 }
 
 void Visits::save(ByteWriter& out) const {

@@ -35,10 +35,12 @@ class Visits {
     // prediction, share of it. Returns whether the prediction had been used by a step before.
     bool answered(std::int32_t point, double reference, double error, const VisitSettings& settings);
     // Before `answered`, for the next predictions: the answer lay so far beyond this one [Pa].
-    void learn(std::int32_t point, const Stress& beyond, const VisitSettings& settings);
-    // The packing took what was collected, but goes on following it in the next step: until then the
-    // prediction stands, and grows.
-    void carry(std::int32_t point);
+    void learn(std::int32_t point, const Stress& beyond, const PlaneModuli& moduli,
+               const VisitSettings& settings);
+    // The packing took what was collected, but has still to follow the strain `rest`: it goes on in the next
+    // step. What that will change of the stress it has come to [Pa].
+    Stress carry(std::int32_t point, const Stress& rest, const PlaneModuli& moduli,
+                 const VisitSettings& settings);
 
     void save(ByteWriter& out) const;
     void load(ByteReader& in);

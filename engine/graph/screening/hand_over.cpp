@@ -86,7 +86,8 @@ void ScreeningLaw::settle_grains(const stress::Batch& batch) {
 void ScreeningLaw::settle_grain_answer(std::size_t slot, const stress::Batch& batch) {
     const std::int32_t p = jobs_[slot].point;
     if (rve_answers_[slot].report.unfinished) {
-        visits_.carry(p);
+        batch.stress[p] =
+            blend_.on_top_of(stress_on_the_way(rve_answers_[slot], visits_, p, setup_.grains), p);
         return counters_.count(rve_answers_[slot].report, false, 0);
     }
     const Stress by_grains = tension_positive(rve_answers_[slot].stress);
@@ -94,7 +95,7 @@ void ScreeningLaw::settle_grain_answer(std::size_t slot, const stress::Batch& ba
     const double reference = reference_pressure(by_grains, floor());
     const Stress beyond = difference(now, batch.stress[p]);
     const double error = norm(beyond) / reference;
-    visits_.learn(p, beyond, setup_.grains.visits);
+    visits_.learn(p, beyond, setup_.grains.packing(p).moduli, setup_.grains.visits);
     batch.stress[p] = now;
     counters_.count(rve_answers_[slot].report, visits_.answered(p, reference, error, setup_.grains.visits),
                     error);

@@ -17,10 +17,12 @@ Mat2 of(double xx, double xy, double yx, double yy) { return (Mat2() << xx, xy, 
 Mat2 biaxial(double e) { return of(1 + e, 0, 0, 1 - e); }
 Mat2 shear(double e) { return of(1, e, e, 1); }
 
+constexpr PlaneModuli kSand{.bulk = 30e6, .shear = 20e6};
+
 TEST(Secants, OfAPathThatGoesOnGiveTheShortfallOfTheLastAnswer) {
     Secants secants(2);
     EXPECT_EQ(secants.shortfall(1, biaxial(1e-5)), Stress{}) << "nothing is known yet";
-    secants.learn(1, biaxial(1e-5), {-100, 100, 0});  // elastic: 100 too much along x
+    secants.learn(1, biaxial(1e-5), {-100, 100, 0}, kSand);  // elastic: 100 too much along x
     EXPECT_NEAR(secants.shortfall(1, biaxial(3e-6)).xx, 30, 1e-9);
     EXPECT_NEAR(secants.shortfall(1, biaxial(3e-6)).yy, -30, 1e-9);
     EXPECT_EQ(secants.shortfall(0, biaxial(3e-6)), Stress{}) << "another point";
@@ -28,34 +30,74 @@ TEST(Secants, OfAPathThatGoesOnGiveTheShortfallOfTheLastAnswer) {
 
 TEST(Secants, LeaveAnAnswerThatCameTrueWhereItIs) {
     Secants secants(1);
-    secants.learn(0, biaxial(1e-5), {-100, 100, 0});
+    secants.learn(0, biaxial(1e-5), {-100, 100, 0}, kSand);
     for (int visit = 0; visit < 5; ++visit) {
         const Stress predicted = secants.shortfall(0, biaxial(2e-5));
         EXPECT_NEAR(predicted.xx, 200, 1e-9) << visit;
-        secants.learn(0, biaxial(2e-5), {});
+        secants.learn(0, biaxial(2e-5), {}, kSand);
     }
 }
 
 TEST(Secants, TakeHalfOfWhatIsNew) {
     Secants secants(1);
-    secants.learn(0, biaxial(1e-5), {-100, 100, 0});
+    secants.learn(0, biaxial(1e-5), {-100, 100, 0}, kSand);
     secants.shortfall(0, biaxial(1e-5));
-    secants.learn(0, biaxial(1e-5), {-100, 100, 0});  // 200 in all where 100 were expected
+    secants.learn(0, biaxial(1e-5), {-100, 100, 0}, kSand);  // 200 in all where 100 were expected
     EXPECT_NEAR(secants.shortfall(0, biaxial(1e-5)).xx, 150, 1e-9);
 }
 
-TEST(Secants, OfAReversalAreElastic) {
+TEST(Secants, OfAReversalAreElasticAndSoIsTheWayBack) {
     Secants secants(1);
-    secants.learn(0, biaxial(1e-5), {-100, 100, 0});
+    secants.learn(0, biaxial(1e-5), {-100, 100, 0}, kSand);
     EXPECT_EQ(secants.shortfall(0, biaxial(-1e-5)), Stress{});
     EXPECT_EQ(secants.shortfall(0, shear(1e-5)), Stress{}) << "across";
-    secants.learn(0, biaxial(-1e-5), {});  // the elastic prediction was right
+    EXPECT_EQ(secants.shortfall(0, biaxial(1e-5)), Stress{}) << "back to where it turned";
+    EXPECT_NEAR(secants.shortfall(0, biaxial(1e-6)).xx, 10, 1e-9) << "further than ever";
+}
+
+TEST(Secants, OfAnotherWayStartAnew) {
+    Secants secants(1);
+    secants.learn(0, biaxial(1e-5), {-100, 100, 0}, kSand);
+    secants.shortfall(0, biaxial(-1e-5));
+    secants.learn(0, biaxial(-1e-5), {}, kSand);  // the elastic prediction was right
     EXPECT_NEAR(norm(secants.shortfall(0, biaxial(-1e-5))), 0, 1e-12) << "nothing is left of the way there";
+}
+
+TEST(Secants, LearnNothingFromAShake) {
+    Secants secants(1);
+    secants.learn(0, biaxial(1e-5), {-100, 100, 0}, kSand);
+    secants.shortfall(0, biaxial(-1e-5)), secants.shortfall(0, biaxial(0.9e-5));
+    secants.learn(0, biaxial(-1e-6), {-100, 100, 0}, kSand);  // a shortfall on a way ten times as short
+    EXPECT_EQ(secants.shortfall(0, biaxial(-1e-6)), Stress{});
+    secants.shortfall(0, biaxial(2e-6));
+    EXPECT_NEAR(secants.shortfall(0, biaxial(1e-6)).xx, 10, 1e-9) << "what was known is still";
+}
+
+TEST(Secants, TakeNoMoreThanTheWholeStiffness) {
+    Secants secants(1);
+    secants.learn(0, biaxial(1e-5), {-1e4, 1e4, 0}, kSand);
+    EXPECT_NEAR(secants.shortfall(0, biaxial(1e-6)).xx, 2 * kSand.shear * 1e-6, 1e-9)
+        << "perfectly plastic: the stress stays, it does not fall";
+}
+
+// A point shaken to and fro, whatever its law answers: what it gives off is never more than it took.
+TEST(Secants, GiveOffNoWorkWhenShaken) {
+    Secants secants(1);
+    secants.learn(0, biaxial(1e-5), {-300, 300, 0}, kSand);
+    double work = 0;
+    Stress s{};
+    for (int k = 0; k < 4000; ++k) {
+        const double e = 1e-7 * std::cos(0.01 * k);
+        const Stress d = difference(elastic_change(kSand, biaxial(e)), secants.shortfall(0, biaxial(e)));
+        work += (s.xx + 0.5 * d.xx) * e - (s.yy + 0.5 * d.yy) * e;
+        add(s, d);
+    }
+    EXPECT_GE(work, 0);
 }
 
 TEST(Secants, CountTheShearOfBothSides) {
     Secants secants(1);
-    secants.learn(0, shear(1e-5), {0, 0, -100});
+    secants.learn(0, shear(1e-5), {0, 0, -100}, kSand);
     EXPECT_NEAR(secants.shortfall(0, shear(1e-5)).xy, 100, 1e-9);
     EXPECT_NEAR(secants.shortfall(0, of(1, 2e-5, 0, 1)).xy, 100, 1e-9) << "simple shear is half of it";
 }
