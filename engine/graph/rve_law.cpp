@@ -122,7 +122,8 @@ Stress stress_on_the_way(const RveAnswer& answer, Visits& visits, std::int32_t p
                          const RveLawSetup& setup) {
     const Mat2& e = answer.to_follow;
     Stress s = tension_positive(answer.stress);
-    add(s, visits.carry(point, {e(0, 0), e(1, 1), e(0, 1)}, setup.packing(point).moduli, setup.visits));
+    add(s, visits.carry(point, {e(0, 0), e(1, 1), e(0, 1)}, setup.packing(point).moduli,
+                        reference_pressure(s, setup.options.pressure_floor), setup.visits));
     return s;
 }
 

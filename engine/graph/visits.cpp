@@ -52,15 +52,17 @@ void Visits::learn(std::int32_t point, const Stress& beyond, const PlaneModuli& 
         secants_.learn(p, collected_[p], beyond, moduli);
 }
 
-Stress Visits::carry(std::int32_t point, const Stress& rest, const PlaneModuli& moduli,
+Stress Visits::carry(std::int32_t point, const Stress& rest, const PlaneModuli& moduli, double reference,
                      const VisitSettings& settings) {
     const auto p = static_cast<std::size_t>(point);
     SG_EXPECT(due_[p]);
     collected_[p].setIdentity();
     carried_[p] = waited_[p] = 1;
-    const Stress elastic = elastic_stress(moduli, rest);
-    if (settings.predictor == Predictor::elastic) return elastic;
-    return difference(elastic, secants_.shortfall_ahead(p, rest));
+    Stress change = elastic_stress(moduli, rest);
+    if (settings.predictor == Predictor::secant)
+        change = difference(change, secants_.shortfall_ahead(p, rest));
+    const double most = settings.update_change_max * reference, size = norm(change);
+    return size > most ? scaled(most / size, change) : change;
 }
 
 void Visits::save(ByteWriter& out) const {

@@ -38,8 +38,9 @@ class Visits {
     void learn(std::int32_t point, const Stress& beyond, const PlaneModuli& moduli,
                const VisitSettings& settings);
     // The packing took what was collected, but has still to follow the strain `rest`: it goes on in the next
-    // step. What that will change of the stress it has come to [Pa].
-    Stress carry(std::int32_t point, const Stress& rest, const PlaneModuli& moduli,
+    // step. What that will change of the stress it has come to, of mean `reference` (at least the floor)
+    // [Pa]; as any prediction no more than a share of it.
+    Stress carry(std::int32_t point, const Stress& rest, const PlaneModuli& moduli, double reference,
                  const VisitSettings& settings);
 
     void save(ByteWriter& out) const;

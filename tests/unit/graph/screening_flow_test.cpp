@@ -26,8 +26,8 @@ TEST(ScreeningLaw, APointThatFlowsGoesBackToTheSurrogateThatHasFollowedIt) {
     EXPECT_EQ(last_switch(bench.law, 2).reason, Reason::critical_state);
     EXPECT_FALSE(bench.law.modes().by_grains(2));
     const std::int64_t paid = bench.law.grain_use().dem_steps;
-    bench.F[1] = Mat2::Identity(), shear(surrogate, 100);
-    for (int k = 0; k < 100; ++k) bench.law.update(bench.batch());
+    bench.F[1] = Mat2::Identity(), shear(surrogate, 150);
+    for (int k = 0; k < 150; ++k) bench.law.update(bench.batch());
     EXPECT_EQ(bench.law.grain_use().dem_steps, paid);
     EXPECT_LT(share(bench.stress[2], surrogate.stress[2]), 0.01);
 }
