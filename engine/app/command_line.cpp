@@ -18,6 +18,7 @@ void add_commands(CLI::App& app, int& exit_code) {
     app.require_subcommand(1);
     add_run_command(app, exit_code);
     add_sweep_command(app, exit_code);
+    add_budget_command(app, exit_code);
     add_compare_command(app, exit_code);
     add_pareto_command(app, exit_code);
     add_rve_command(app, exit_code);

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <map>
 
 namespace sandgraph::graph {
 namespace {
@@ -19,6 +20,12 @@ constexpr double kLargestPiece = 0.1;  // strain of one update that catches up
         jobs, [&](const RveJob& job) { return job.rve < packings && named[job.rve]++ == 0; });
 }
 
+// What many points share is converted once, not by each one's first visit.
+std::shared_ptr<const dem::CompactPacking> in_form_of(
+    dem::RveKernel kernel, const std::shared_ptr<const dem::CompactPacking>& packing) {
+    return kernel == dem::RveKernel::mixed ? dem::in_mixed_form(packing) : packing;
+}
+
 class LocalPool final : public RvePool {
   public:
     LocalPool(const std::vector<std::shared_ptr<const dem::CompactPacking>>& initial,
@@ -26,7 +33,12 @@ class LocalPool final : public RvePool {
         : material_(material), options_(options), unbounded_(options) {
         unbounded_.steps_max = 0;
         rves_.reserve(initial.size());
-        for (const auto& packing : initial) rves_.emplace_back(packing);
+        std::map<const dem::CompactPacking*, std::shared_ptr<const dem::CompactPacking>> ready;
+        for (const auto& packing : initial) {
+            auto& form = ready[packing.get()];
+            if (!form) form = in_form_of(options.kernel, packing);
+            rves_.emplace_back(form);
+        }
         floating_.assign(rves_.size(), 0);
     }
 

@@ -5,14 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/console.hpp"
 #include "base/error.hpp"
-#include "base/hash.hpp"
-#include "base/revision.hpp"
 #include "base/text.hpp"
-#include "io/checkpoint.hpp"
-#include "io/run_file.hpp"
-#include "scene/scene_hash.hpp"
+#include "results/kept_run.hpp"
 
 namespace sandgraph::results {
 namespace {
@@ -38,13 +33,6 @@ std::vector<Plan> plans(const ParetoRequest& request) {
     for (const std::string& t : request.thresholds) out.push_back({t, "screening", gate_of(t)});
     out.push_back({"surrogate", "screening", {"gate.active=false"}});
     return out;
-}
-
-// Of this scene, by this program, on as many threads: times of others tell nothing of the scene.
-bool is_of(const fs::path& folder, const std::string& hash, int threads) {
-    if (!fs::exists(folder / "run.h5")) return false;
-    const io::RunInfo info = io::read_run(folder / "run.h5").info;
-    return info.scene_hash == hash && info.git == revision() && info.threads == threads;
 }
 
 // What the study itself varies cannot be given for all its runs.
@@ -84,16 +72,8 @@ simulation::RunRequest run_request(const ParetoRequest& request, const Plan& pla
 std::optional<FinishedRun> run_of(const ParetoRequest& request, const Plan& plan, const std::string& suffix) {
     simulation::RunRequest run = run_request(request, plan);
     if (!suffix.empty()) run.set.emplace_back("audit.share=1");
-    const fs::path folder = fs::path(request.run.folder) / (plan.label + suffix);
-    run.folder = folder.string();
-    const bool same =
-        is_of(folder, hex(scene::scene_hash(simulation::scene_of(run))), simulation::threads_of(run));
-    if (same && fs::exists(folder / "summary.json")) return read_finished_run(folder);
-    run.resume = same && fs::exists(folder / io::checkpoint_name);
-    if (!run.resume) io::remove_restart_files(folder);
-    tell(fmt::format("--- {}\n", folder.string()));
-    if (run_scene(run, request.draw) != simulation::RunEnd::finished) return std::nullopt;
-    return read_finished_run(folder);
+    run.folder = (fs::path(request.run.folder) / (plan.label + suffix)).string();
+    return kept_run(run, request.draw);
 }
 
 }  // namespace

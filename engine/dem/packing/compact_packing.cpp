@@ -128,6 +128,18 @@ void pack(const MixedState& s, CompactPacking& p) {
     p.H = p.H_force = s.packing.H, p.L = s.packing.L, p.LH = p.L * p.H;
 }
 
+std::shared_ptr<const CompactPacking> in_mixed_form(std::shared_ptr<const CompactPacking> packing) {
+    SG_EXPECT(packing != nullptr);
+    if (packing->mixed) return packing;
+    MixedState state;
+    MixedList list;
+    unpack(*packing, state, list);
+    auto out = std::make_shared<CompactPacking>();
+    pack(state, *out);
+    out->grains = packing->grains, out->stress = packing->stress;
+    return out;
+}
+
 Packing to_packing(const CompactPacking& p) {
     if (p.mixed) return to_packing(*p.mixed, p.grains->radius);
     FastState state;

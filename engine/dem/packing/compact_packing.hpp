@@ -50,6 +50,8 @@ void pack(const FastState& state, CompactPacking& packing);
 // form is converted. `pack` leaves that form behind.
 void unpack(const CompactPacking& packing, MixedState& state, MixedList& list);
 void pack(const MixedState& state, CompactPacking& packing);
+// A packing that many start from, converted once with its list: the form of each one's first visit, to the bit.
+std::shared_ptr<const CompactPacking> in_mixed_form(std::shared_ptr<const CompactPacking> packing);
 Packing to_packing(const CompactPacking& packing);
 
 // Names a packing by its grains, pairs, contact history and cell.

@@ -56,6 +56,14 @@ TEST_F(MixedRve, GoesOnFromACheckpointToTheBit) {
     EXPECT_EQ(bytes_of(rve), bytes_of(again));
 }
 
+TEST_F(MixedRve, StartsFromAConvertedPackingWithTheSameBits) {
+    Rve other(in_mixed_form(support::public_packing().packing));
+    EXPECT_EQ(other.stress(), rve.stress());
+    EXPECT_EQ(other.porosity(), rve.porosity());
+    shear(rve, 5), shear(other, 5);
+    EXPECT_EQ(bytes_of(rve), bytes_of(other));
+}
+
 TEST_F(MixedRve, RefusesADamagedCheckpoint) {
     shear(rve, 2);
     const std::vector<std::uint8_t> sound = bytes_of(rve);

@@ -1,0 +1,51 @@
+#include "tests/unit/app/bad_input.hpp"
+
+// The budget of a load, as a user meets it, on ground that costs next to nothing.
+namespace sandgraph::app {
+namespace {
+
+constexpr const char* kScene = R"(
+[domain]
+width = "3 m"
+depth = "3 m"
+cell = "0.25 m"
+[anchor]
+embedment_ratio = 1
+thickness = "0.25 m"
+pull_to = 0.03
+ramp = 0.001
+[ground]
+law = "mohr_coulomb"
+)";
+
+class Budget : public testing::Test {
+  protected:
+    Budget() { shell_.write("s.toml", kScene); }
+    const Shell shell_{"budget"};
+};
+
+TEST_F(Budget, TellsTheLoadWithItsErrorsAndAgainRunsNothing) {
+    const auto first = shell_.run("budget s.toml -o out");
+    ASSERT_EQ(first.exit_code, 0) << first.err;
+    for (const char* run : {"run", "fine", "packing_1", "half_rate"})
+        EXPECT_TRUE(shell_.exists(std::string("out/") + run + "/summary.json")) << run;
+    EXPECT_FALSE(shell_.exists("out/packing_2/summary.json")) << "closed-form ground has no packings";
+    EXPECT_NE(first.out.find("corrected "), std::string::npos) << first.out;
+    const std::string json = shell_.read("out/budget.json");
+    EXPECT_NE(json.find("\"source\": \"mesh\""), std::string::npos) << json;
+    const auto again = shell_.run("budget s.toml -o out");
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(again.out.find("--- "), std::string::npos) << "nothing is run anew: " << again.out;
+    EXPECT_EQ(shell_.read("out/budget.json"), json);
+}
+
+TEST_F(Budget, IsRefusedOfAGroundWithoutAPlate) {
+    shell_.write("s.toml", "[anchor]\npresent = false\n[mpm]\nend_time = 1\n[ground]\nlaw = \"elastic\"\n");
+    const auto outcome = shell_.run("budget s.toml -o out");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("breakout load of one plate"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(shell_.exists("out/run"));
+}
+
+}  // namespace
+}  // namespace sandgraph::app
