@@ -47,5 +47,39 @@ TEST_F(Budget, IsRefusedOfAGroundWithoutAPlate) {
     EXPECT_FALSE(shell_.exists("out/run"));
 }
 
+constexpr const char* kSand = R"(
+[domain]
+width = "2 m"
+depth = "2 m"
+cell = "0.25 m"
+[anchor]
+embedment_ratio = 1
+thickness = "0.25 m"
+pull_to = 0.003
+ramp = 0.001
+[grains]
+count = 50
+[output]
+frames = [0]
+)";
+
+TEST_F(Budget, RunsOnePackingAfterTheOther) {
+    shell_.write("sand.toml", kSand);
+    const auto outcome = shell_.run("run sand.toml -o out --samples 2 --threads 1");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string csv = shell_.read("out/samples.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3) << csv;
+    EXPECT_NE(csv.find("\n2,2,no,"), std::string::npos) << csv;  // too short a pull to break out
+    EXPECT_NE(shell_.read("out/sample_1/load.csv"), shell_.read("out/sample_2/load.csv"));
+    EXPECT_NE(outcome.out.find("0 of 2 packings broke out"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Budget, RunsNoSamplesOfGroundWithoutPackings) {
+    const auto outcome = shell_.run("run s.toml -o out --samples 2");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("draws no packings by seed"), std::string::npos) << outcome.err;
+    EXPECT_EQ(shell_.run("run s.toml --samples 2").exit_code, 2) << "no folder";
+}
+
 }  // namespace
 }  // namespace sandgraph::app
