@@ -178,8 +178,11 @@ ContactForce contact_force(const Contact& pair, const Vec2& d, const std::vector
     return c;
 }
 
-std::vector<ContactForce> listed_contacts(const MixedPacking& p, const std::vector<double>& r,
+// Radii as the kernel knows them: their rounding is a share of 1e-4 of an overlap.
+std::vector<ContactForce> listed_contacts(const MixedPacking& p, const std::vector<double>& radii,
                                           const Material& m) {
+    std::vector<double> r;
+    for (const double radius : radii) r.push_back(static_cast<float>(radius));
     std::vector<ContactForce> out;
     out.reserve(p.pairs);
     for_each_pair(p, [&](std::size_t slot, int i, int j) {
@@ -293,8 +296,9 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
     report.inertial_number =
         L.norm() * before.grains->mean_diameter *
         std::sqrt(material.density / std::max(mean(before.stress), options.pressure_floor));
-    const Mat2 stress = drive_packing(before, material, options.kernel, L, dt, report.dem_steps, work);
-    if (!stress.allFinite() || cell_too_thin(work, *before.grains, options.kernel)) {
+    const RveKernel kernel = fits_mixed(before) ? options.kernel : RveKernel::double_precision;
+    const Mat2 stress = drive_packing(before, material, kernel, L, dt, report.dem_steps, work);
+    if (!stress.allFinite() || cell_too_thin(work, *before.grains, kernel)) {
         report.status = RveStatus::diverged;
         return report;
     }
@@ -302,7 +306,7 @@ RveReport Rve::drive(const Mat2& stretch, const Material& material, const RveOpt
         own_ = std::make_unique<CompactPacking>();
         own_->grains = initial_->grains;
     }
-    lay_down(work, options.kernel, *own_);
+    lay_down(work, kernel, *own_);
     own_->stress = stress;
     const double share = double(report.dem_steps) / all;
     run_.add(share * strain);

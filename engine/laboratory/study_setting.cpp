@@ -23,17 +23,17 @@ std::vector<Axis> axes() {
          {2.5e-6, 4e-5}},
         {"update_tolerance",
          [](RveSettings& s, double v) { s.update_tolerance = v; },
-         {0.00125, 0.005},
-         {0, 0.000625, 0.01}},
+         {0.0025, 0.01},
+         {0, 0.00125}},
         {"update_change_max",
          [](RveSettings& s, double v) { s.update_change_max = v; },
-         {0.025, 0.1},
-         {0.0125, 0.2}},
+         {0.1, 0.4},
+         {0.05, 0.025}},
         {"steps_min", [](RveSettings& s, double v) { s.steps_min = static_cast<int>(v); }, {1, 5}, {10, 20}},
         {"stress_per_step_max",
          [](RveSettings& s, double v) { s.stress_per_step_max = v; },
-         {0.005, 0.015},
-         {0.0025, 1e6}},
+         {0.0075, 0.03},
+         {0.005, 1e6}},
         {"time_step_fraction",
          [](RveSettings& s, double v) { s.time_step_fraction = v; },
          {0.4, 1},
@@ -57,9 +57,9 @@ std::vector<StudySetting> tighter() {
         graph::RveSettings& s = out.back().stepping;
         s.update_tolerance = tolerance, s.inertial_number_max = inertial, s.strain_per_step_max = strain;
     };
-    add(0.00125, 1e-3, 1e-5);
-    add(0.000625, 5e-4, 1e-5);
-    add(0.000625, 5e-4, 5e-6);
+    add(0.0025, 1e-3, 1e-5);
+    add(0.00125, 5e-4, 1e-5);
+    add(0.00125, 5e-4, 5e-6);
     return out;
 }
 

@@ -8,13 +8,13 @@ namespace sandgraph::mpm {
 
 // Numerical settings of a step, with their only defaults: the scene's keys [mpm] bind to these members.
 struct Scheme {
-    double courant = 0.4;             // dt c/cell
-    double damping = 0.05;            // local (non-viscous) grid damping
-    double pic_fraction = 0.001;      // PIC in the velocity update of a step of courant 0.3, the rest FLIP
-    double mass_scaling = 1;          // inertia multiplied, gravity kept
-    double contact_stiffness = 0.25;  // plate-soil penalty, in units of M/cell
-    double hourglass = 0.1;           // own share of a point's strain beside its cell's mean; 1: all of it
-    bool light_nodes = true;          // nodes with next to no mass follow their neighbours
+    double courant = 0.3;          // dt c/cell
+    double damping = 0.05;         // local (non-viscous) grid damping
+    double pic_fraction = 0.01;    // share of PIC in the velocity update in a usual step, the rest FLIP
+    double mass_scaling = 1;       // inertia multiplied, gravity kept
+    double contact_stiffness = 1;  // plate-soil penalty, in units of M/cell
+    double hourglass = 0.1;        // own share of a point's strain beside its cell's mean; 1: all of it
+    bool light_nodes = true;       // nodes with next to no mass follow their neighbours
 };
 
 // What the time step is bounded by beside the scheme: cell [m], P-wave modulus M [Pa], density [kg/m3].
@@ -37,7 +37,7 @@ inline double time_step(const Scheme& scheme, const Medium& m) {  // docs/how_it
            std::min(scheme.courant, 0.45 / std::sqrt(1 + scheme.contact_stiffness));
 }
 
-inline constexpr double usual_courant = 0.3;  // what shares of PIC a step are stated for
+inline constexpr double usual_courant = Scheme{}.courant;
 
 // Share of PIC in a step of dt [s] that takes as much from a motion in a given time as `pic_fraction` does in
 // steps of courant 0.3: exactly that in such a step, less in a shorter one.

@@ -65,7 +65,7 @@ double Budget::corrected() const {
     return load * factor;
 }
 
-double Budget::ci95() const {  // (eq. 45c)
+double Budget::ci95() const {  // docs/how_it_works.md (eq. 45c)
     double sum = 0;
     for (const BudgetItem& item : items) sum += std::isfinite(item.ci95) ? item.ci95 * item.ci95 : 0;
     return corrected() * std::sqrt(sum);

@@ -69,7 +69,8 @@ void add_ground_keys(KeyTable& keys, Ground& g) {
     // Local ground has the hash of the time before this key.
     ground
         .real("internal_length", g.internal_length, "m", at_least(0),
-              "width of the narrowest shear band, 2 cells or more; 0: bands are as narrow as cells let them")
+              "length over which strength is shared, bands 1.2 to 1.6 times as wide; 3 cells or more; 0: as "
+              "narrow as cells")
         .in_hash = g.internal_length > 0;
 }
 

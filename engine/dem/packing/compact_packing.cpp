@@ -128,9 +128,13 @@ void pack(const MixedState& s, CompactPacking& p) {
     p.H = p.H_force = s.packing.H, p.L = s.packing.L, p.LH = p.L * p.H;
 }
 
+bool fits_mixed(const CompactPacking& p) {
+    return p.mixed || !too_thin(p.H * reduce_cell(p.H).U.cast<double>(), p.grains->radius_max);
+}
+
 std::shared_ptr<const CompactPacking> in_mixed_form(std::shared_ptr<const CompactPacking> packing) {
     SG_EXPECT(packing != nullptr);
-    if (packing->mixed) return packing;
+    if (packing->mixed || !fits_mixed(*packing)) return packing;
     MixedState state;
     MixedList list;
     unpack(*packing, state, list);

@@ -50,7 +50,10 @@ void pack(const FastState& state, CompactPacking& packing);
 // form is converted. `pack` leaves that form behind.
 void unpack(const CompactPacking& packing, MixedState& state, MixedList& list);
 void pack(const MixedState& state, CompactPacking& packing);
+// Whether the mixed kernel takes it: in a cell of few grains a pair is not with the nearest image alone.
+bool fits_mixed(const CompactPacking& packing);
 // A packing that many start from, converted once with its list: the form of each one's first visit, to the bit.
+// As it is where it does not fit.
 std::shared_ptr<const CompactPacking> in_mixed_form(std::shared_ptr<const CompactPacking> packing);
 Packing to_packing(const CompactPacking& packing);
 

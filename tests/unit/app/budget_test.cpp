@@ -40,7 +40,7 @@ TEST_F(Budget, TellsTheLoadWithItsErrorsAndAgainRunsNothing) {
 }
 
 TEST_F(Budget, IsRefusedOfAGroundWithoutAPlate) {
-    shell_.write("s.toml", "[anchor]\npresent = false\n[mpm]\nend_time = 1\n[ground]\nlaw = \"elastic\"\n");
+    shell_.write("s.toml", "[anchor]\npresent = false\n[mpm]\nend_time = \"1 s\"\n[ground]\nlaw = \"elastic\"\n");
     const auto outcome = shell_.run("budget s.toml -o out");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("breakout load of one plate"), std::string::npos) << outcome.err;
