@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,13 +53,21 @@ class RvePool {
 
     virtual void save(ByteWriter& out) const = 0;
     virtual void load(ByteReader& in) = 0;  // StateError for what is no state of these packings
+    virtual void save_one(std::size_t rve, ByteWriter& out) const = 0;
+    virtual void load_one(std::size_t rve, ByteReader& in) = 0;
 
   protected:
     std::vector<std::uint8_t> floating_;  // by packing; whoever drives keeps it
 };
 
+using InitialPackings = std::vector<std::shared_ptr<const dem::CompactPacking>>;
+
 // All packings in this process. `initial` [packings]: what each starts from.
-std::unique_ptr<RvePool> local_pool(const std::vector<std::shared_ptr<const dem::CompactPacking>>& initial,
-                                    const dem::Material& material, const dem::RveOptions& options);
+std::unique_ptr<RvePool> local_pool(const InitialPackings& initial, const dem::Material& material,
+                                    const dem::RveOptions& options);
+
+// Where the packings of a run are to live.
+using PoolMaker = std::function<std::unique_ptr<RvePool>(
+    const InitialPackings& initial, const dem::Material& material, const dem::RveOptions& options)>;
 
 }  // namespace sandgraph::graph
