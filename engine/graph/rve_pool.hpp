@@ -24,9 +24,10 @@ struct RveJob {
 struct RveAnswer {
     dem::RveReport report;       // DEM steps of all its pieces; the worst status among them
     Mat2 stress = Mat2::Zero();  // after it [Pa], compression positive, lab frame, not symmetrised
-    Mat2 to_follow = Mat2::Zero();  // strain of an unfinished update that the stress does not know of yet, lab frame
-    double volume_ratio = 1;     // J since the start
-    bool caught_up = false;      // its path, if it had one, is driven to the end
+    Mat2 to_follow =
+        Mat2::Zero();  // strain of an unfinished update that the stress does not know of yet, lab frame
+    double volume_ratio = 1;  // J since the start
+    bool caught_up = false;   // its path, if it had one, is driven to the end
     std::optional<dem::Observables> seen;
 };
 

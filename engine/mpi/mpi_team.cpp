@@ -53,8 +53,8 @@ void MpiTeam::gather(ranks::ByteSpan mine, std::span<const std::size_t> sizes, s
         begin += size;
     }
     SG_EXPECT(all.size() == begin);
-    MPI_Allgatherv(mine.data(), counts_[static_cast<std::size_t>(rank_)], MPI_BYTE, all.data(), counts_.data(),
-                   begins_.data(), MPI_BYTE, MPI_COMM_WORLD);
+    MPI_Allgatherv(mine.data(), counts_[static_cast<std::size_t>(rank_)], MPI_BYTE, all.data(),
+                   counts_.data(), begins_.data(), MPI_BYTE, MPI_COMM_WORLD);
 }
 
 void MpiTeam::broadcast(std::span<std::uint8_t> word) {
@@ -76,8 +76,8 @@ ranks::Bytes MpiTeam::receive(int from) {
 }
 
 void MpiTeam::abandon(const std::string& why) {
-    notice(fmt::format("sandgraph: rank {} of {}: {}; what has a checkpoint goes on with --resume", rank_, size_,
-                       why));
+    notice(fmt::format("sandgraph: rank {} of {}: {}; what has a checkpoint goes on with --resume", rank_,
+                       size_, why));
     MPI_Abort(MPI_COMM_WORLD, 1);
     std::abort();
 }

@@ -23,8 +23,8 @@ void take(ByteReader& in, Mat2& m) { in.take(std::span<double>(m.data(), 4)); }
 // A new member does not compile until it travels, too.
 template <class Observables, class Visit>
 void each_part(Observables& seen, const Visit& visit) {
-    auto& [stress, fabric, porosity, contacts, coordination, mechanical, anisotropy, sliding, normal, tangential,
-           rolling, translation, turning, overlap, unbalanced] = seen;
+    auto& [stress, fabric, porosity, contacts, coordination, mechanical, anisotropy, sliding, normal,
+           tangential, rolling, translation, turning, overlap, unbalanced] = seen;
     visit(stress), visit(fabric), visit(contacts);
     for (auto* number : {&porosity, &coordination, &mechanical, &anisotropy, &sliding, &normal, &tangential,
                          &rolling, &translation, &turning, &overlap, &unbalanced})

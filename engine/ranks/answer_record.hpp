@@ -12,8 +12,8 @@ struct KnownPacking {
 };
 KnownPacking known(const graph::RvePool& pool, std::size_t rve);
 
-// The answer to one job as it travels: of a length that follows from the job alone, so that all ranks know the
-// lengths of all messages beforehand. `caps`: updates may stop on their way (RveOptions::steps_max).
+// The answer to one job as it travels: of a length that follows from the job alone, so that all ranks know
+// the lengths of all messages beforehand. `caps`: updates may stop on their way (RveOptions::steps_max).
 std::size_t record_bytes(const graph::RveJob& job, bool caps);
 void put_record(const graph::RveJob& job, const graph::RveAnswer& answer, const KnownPacking& packing,
                 bool caps, ByteWriter& out);

@@ -42,7 +42,8 @@ class Follower {
     // Rank 0 has read it and was content.
     void resume() {
         if (!run_.resume) return;
-        io::CheckpointReader reader(std::filesystem::path(run_.folder) / io::checkpoint_name, run_.scene_hash);
+        io::CheckpointReader reader(std::filesystem::path(run_.folder) / io::checkpoint_name,
+                                    run_.scene_hash);
         simulation_->archive(reader);
     }
 
@@ -72,7 +73,9 @@ class Follower {
 };
 
 template <class Work>
-void alone(Team& team, const Work& work) try { work(); } catch (const std::exception& error) {
+void alone(Team& team, const Work& work) try {
+    work();
+} catch (const std::exception& error) {
     team.abandon(error.what());
 }
 

@@ -40,10 +40,11 @@ void Leader::announce(bool looked_at) {
 std::string Leader::account() const {
     const PoolFigures f = pool_ ? pool_->figures() : PoolFigures{};
     const double steps = double(f.dem_steps), slowest = double(f.slowest);
-    return fmt::format("{} ranks: {} exchanges of {:.0f} B on average, {} waits, {} packings moved, DEM steps "
-                       "{:.0f} % even",
-                       team_.size(), f.exchanges, double(f.bytes) / double(std::max<std::int64_t>(1, f.exchanges)),
-                       f.waits, f.moved, slowest > 0 ? 100 * steps / (team_.size() * slowest) : 100);
+    return fmt::format(
+        "{} ranks: {} exchanges of {:.0f} B on average, {} waits, {} packings moved, DEM steps "
+        "{:.0f} % even",
+        team_.size(), f.exchanges, double(f.bytes) / double(std::max<std::int64_t>(1, f.exchanges)), f.waits,
+        f.moved, slowest > 0 ? 100 * steps / (team_.size() * slowest) : 100);
 }
 
 }  // namespace sandgraph::ranks

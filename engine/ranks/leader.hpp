@@ -5,8 +5,8 @@
 
 namespace sandgraph::ranks {
 
-// Rank 0's side of a run: it has the others build the same simulation, and writes what comes out. Whoever owns
-// the team tells them to stop in the end, whatever became of the run.
+// Rank 0's side of a run: it has the others build the same simulation, and writes what comes out. Whoever
+// owns the team tells them to stop in the end, whatever became of the run.
 class Leader final : public simulation::Crew {
   public:
     explicit Leader(Team& team) : team_(team) {}

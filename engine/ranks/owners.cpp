@@ -12,7 +12,8 @@ namespace {
 // The work of each rank, and its packings by their cost.
 class Shares {
   public:
-    Shares(const std::vector<int>& rank, const std::vector<std::int64_t>& cost, std::vector<std::int64_t> loads)
+    Shares(const std::vector<int>& rank, const std::vector<std::int64_t>& cost,
+           std::vector<std::int64_t> loads)
         : loads_(std::move(loads)), packings_(loads_.size()) {
         for (std::size_t k = 0; k < rank.size(); ++k)
             if (cost[k] > 0) packings_[static_cast<std::size_t>(rank[k])].emplace(cost[k], k);
@@ -49,7 +50,8 @@ class Shares {
 
 Owners::Owners(std::size_t packings, int ranks) : rank_(packings), cost_(packings, 0), ranks_(ranks) {
     SG_EXPECT(ranks >= 1);
-    for (std::size_t k = 0; k < packings; ++k) rank_[k] = static_cast<int>(k % static_cast<std::size_t>(ranks));
+    for (std::size_t k = 0; k < packings; ++k)
+        rank_[k] = static_cast<int>(k % static_cast<std::size_t>(ranks));
 }
 
 std::vector<std::int64_t> Owners::loads() const {

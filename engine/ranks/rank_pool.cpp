@@ -75,9 +75,10 @@ void RankPool::require_same_packings(const graph::InitialPackings& initial) {
                  {reinterpret_cast<std::uint8_t*>(all.data()), all.size() * sizeof own});
     for (std::size_t r = 0; r < all.size(); ++r)
         if (all[r] != all[0])
-            throw std::runtime_error(fmt::format("rank {} starts from other packings than rank 0: give all "
-                                                 "ranks machines of one kind, and one packing cache",
-                                                 r));
+            throw std::runtime_error(
+                fmt::format("rank {} starts from other packings than rank 0: give all "
+                            "ranks machines of one kind, and one packing cache",
+                            r));
 }
 
 void RankPool::drive(std::span<const RveJob> jobs, std::span<RveAnswer> answers) {
@@ -170,9 +171,10 @@ std::vector<ByteReader> RankPool::open_messages() {
         out.back().take(heading.step), out.back().take(heading.will_look);
         if (r == 0) first = heading;
         if (heading.step != first.step)
-            throw std::runtime_error(fmt::format("rank {} has come to another ground than rank 0: give all "
-                                                 "ranks machines of one kind",
-                                                 r));
+            throw std::runtime_error(
+                fmt::format("rank {} has come to another ground than rank 0: give all "
+                            "ranks machines of one kind",
+                            r));
     }
     waits_ = first.will_look != 0;
     return out;
@@ -259,7 +261,8 @@ std::vector<Bytes> RankPool::ask_to_show(std::size_t first, std::size_t last) co
     asked[0] = 1;
     for (std::size_t k = first; k < last; ++k) {
         const auto owner = static_cast<std::size_t>(owners_.of(k));
-        if (!std::exchange(asked[owner], std::uint8_t{1})) out[owner] = team_.receive(static_cast<int>(owner));
+        if (!std::exchange(asked[owner], std::uint8_t{1}))
+            out[owner] = team_.receive(static_cast<int>(owner));
     }
     return out;
 }

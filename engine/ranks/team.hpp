@@ -10,9 +10,9 @@ namespace sandgraph::ranks {
 using Bytes = std::vector<std::uint8_t>;
 using ByteSpan = std::span<const std::uint8_t>;
 
-// Processes that compute the same macro step side by side, rank 0 with the outputs, and how bytes travel among
-// them. `gather` and `broadcast` are called by all of them, in the same order; a call that fails does not
-// return.
+// Processes that compute the same macro step side by side, rank 0 with the outputs, and how bytes travel
+// among them. `gather` and `broadcast` are called by all of them, in the same order; a call that fails does
+// not return.
 class Team {
   public:
     virtual ~Team() = default;

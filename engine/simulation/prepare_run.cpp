@@ -111,9 +111,9 @@ void require_work_for(const Crew& crew, const scene::Scene& scene) {
                          "ranks share out packings, and there are none", "run it without mpi");
     const double points = estimate(scene, 1).points;
     if (crew.size() > points)
-        throw InputError({scene.file}, fmt::format("{} ranks for {:.0f} material points", crew.size(), points),
-                         "a rank without a point has nothing to do",
-                         fmt::format("start {:.0f} ranks at most", points));
+        throw InputError(
+            {scene.file}, fmt::format("{} ranks for {:.0f} material points", crew.size(), points),
+            "a rank without a point has nothing to do", fmt::format("start {:.0f} ranks at most", points));
 }
 
 }  // namespace sandgraph::simulation

@@ -16,7 +16,7 @@ struct RunRequest {
     std::vector<std::string> set;     // section.key=value
     int threads = 0;                  // 0: all cores
     bool resume = false;
-    double until = 0;  // d/B (without an anchor time [s]) at which to stop; 0: the scene's end
+    double until = 0;            // d/B (without an anchor time [s]) at which to stop; 0: the scene's end
     std::shared_ptr<Crew> crew;  // null: alone
 };
 

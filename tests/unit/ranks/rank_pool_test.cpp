@@ -14,11 +14,12 @@ constexpr int kSteps = 150;
 
 struct Member {
     explicit Member(Team& team, SmallPull kind) {
-        simulation = support::small_pull(kind, [&](const auto& initial, const auto& material, const auto& options) {
-            auto made = std::make_unique<RankPool>(team, initial, material, options);
-            pool = made.get();
-            return made;
-        });
+        simulation =
+            support::small_pull(kind, [&](const auto& initial, const auto& material, const auto& options) {
+                auto made = std::make_unique<RankPool>(team, initial, material, options);
+                pool = made.get();
+                return made;
+            });
     }
     // Rank 0 may look after the last of them only.
     void step(int count) {
