@@ -41,9 +41,17 @@ function(sandgraph_library name)
   target_link_libraries(sg_${name} PUBLIC sandgraph_flags ${ARG_LINK})
 endfunction()
 
+# sandgraph_program(main.cpp LINK sg_app): what users start.
+function(sandgraph_program main)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(sandgraph ${main})
+  target_link_libraries(sandgraph PRIVATE ${ARG_LINK})
+  set_target_properties(sandgraph PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+endfunction()
+
 # The tiers of tests are labels of ctest: `unit` (all of it in half a minute on two cores, without libtorch), `physics`,
-# `slow`. A target tests_<tier> builds what `ctest -L <tier>` runs.
-foreach(tier unit physics slow)
+# `slow`, and `mpi`, which only the preset of that name has. A target tests_<tier> builds what `ctest -L <tier>` runs.
+foreach(tier unit physics slow mpi)
   add_custom_target(tests_${tier})
 endforeach()
 

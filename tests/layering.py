@@ -2,7 +2,7 @@
 """Checks the architecture by machine: layering.py [ROOT]. Prints every breach, exits with 1 if there is one.
 
 Rules: #include arrows between the folders of engine/ follow ARROWS, which has no circle; nor is there one of modules (a
-header and the source of its name); only graph/ names tbb::flow; engine/ never includes libtorch and prints in app/ and
+header and the source of its name); only graph/ names tbb::flow, only mpi/ MPI; engine/ never includes libtorch and prints in app/ and
 base/console.cpp only; sources are in known folders of the top level only; no source file is over MAX_LINES, and functions
 are as short as FUNCTION_* say.
 """
@@ -30,6 +30,8 @@ ARROWS = {
     "packings": {"base", "dem", "stress", "graph", "scene", "io"},
     "laboratory": {"base", "dem", "stress", "graph", "scene", "io", "packings"},
     "simulation": {"base", "dem", "mpm", "stress", "graph", "scene", "io", "packings", "surrogate"},
+    "ranks": {"base", "dem", "graph", "scene", "io", "packings", "simulation"},
+    "mpi": {"base", "ranks", "app"},
     "results": {"base", "mpm", "stress", "graph", "scene", "io", "packings", "simulation", "surrogate"},
     "report": {"base", "dem", "mpm", "scene", "io", "laboratory", "results"},
     "app": {"base", "dem", "stress", "graph", "scene", "io", "packings", "laboratory", "simulation", "results",
@@ -42,6 +44,7 @@ TOP_LEVEL = {"engine", "surrogate", "training", "configs", "tests", "cmake", "do
 SOURCES = {".cpp", ".hpp", ".py", ".cmake"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 TORCH = re.compile(r"^(torch|ATen|c10|caffe2)/")
+MPI = re.compile(r"\bMPI_[A-Z]\w*|^\s*#\s*include\s*<mpi\.h>", re.MULTILINE)
 TASK_GRAPH = re.compile(r"tbb::flow|tbb/flow_graph")
 PRINT = re.compile(r"\bfmt::print(?:ln)?\s*\(|\bstd::(?:cout|cerr|clog|puts)\b|(?<![\w.>])(?:std::)?f?printf\s*\(")
 CPP = {".cpp", ".hpp"}
@@ -89,6 +92,13 @@ def check_task_graph(relative, text):
         return
     for match in TASK_GRAPH.finditer(text):
         yield f"{relative}:{line_of(text, match.start())}: only graph/ may name {match.group()}"
+
+
+def check_mpi(relative, text):
+    if relative.suffix not in CPP or folder_of(relative) == "mpi":
+        return
+    for match in MPI.finditer(text):
+        yield f"{relative}:{line_of(text, match.start())}: only engine/mpi may name {match.group()}"
 
 
 def check_prints(relative, text):
@@ -184,7 +194,7 @@ def breaches(root):
     yield from check_top_level(root)
     files = {path.relative_to(root): path.read_text(encoding="utf-8") for path in sources(root)}
     for relative, text in files.items():
-        for check in (check_includes, check_task_graph, check_prints, check_size):
+        for check in (check_includes, check_task_graph, check_mpi, check_prints, check_size):
             yield from check(relative, text)
     production = {path: text for path, text in files.items() if path.parts[0] in PRODUCTION and path.suffix in CPP}
     yield from check_modules(production)

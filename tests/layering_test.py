@@ -37,6 +37,12 @@ class Layering(unittest.TestCase):
     def test_refuses_task_graphs_outside_graph(self):
         self.assertEqual(len(self.breaches({"engine/mpm/a.cpp": "tbb::flow::graph g;\n"})), 1)
 
+    def test_refuses_mpi_outside_its_room(self):
+        self.assertEqual(self.breaches({"engine/ranks/a.cpp": "#include <mpi.h>\nint r = MPI_Send(x);\n",
+                                        "engine/mpi/a.cpp": "#include <mpi.h>\n// MPI_Send\n"}),
+                         ["engine/ranks/a.cpp:1: only engine/mpi may name #include <mpi.h>",
+                          "engine/ranks/a.cpp:2: only engine/mpi may name MPI_Send"])
+
     def test_refuses_libtorch_in_engine(self):
         self.assertEqual(len(self.breaches({"engine/app/a.cpp": "#include <torch/torch.h>\n"})), 1)
 

@@ -13,10 +13,10 @@
 namespace sandgraph::app {
 namespace {
 
-void add_commands(CLI::App& app, int& exit_code) {
+void add_commands(CLI::App& app, int& exit_code, const std::shared_ptr<simulation::Crew>& crew) {
     app.set_version_flag("--version", fmt::format("sandgraph {}", revision()));
     app.require_subcommand(1);
-    add_run_command(app, exit_code);
+    add_run_command(app, exit_code, crew);
     add_sweep_command(app, exit_code);
     add_budget_command(app, exit_code);
     add_compare_command(app, exit_code);
@@ -36,11 +36,11 @@ int report_error(const std::string& line, ExitCode code) {
 
 }  // namespace
 
-int run_command_line(int argc, const char* const* argv) {
+int run_command_line(int argc, const char* const* argv, std::shared_ptr<simulation::Crew> crew) {
     CLI::App app{"How plate anchors break out of sand: MPM for the ground, a DEM packing at every point.",
                  "sandgraph"};
     int exit_code = exit_done;
-    add_commands(app, exit_code);
+    add_commands(app, exit_code, crew);
     try {
         app.parse(argc, argv);
         return exit_code;

@@ -39,8 +39,9 @@ int run_sampled(const simulation::RunRequest& request, int count) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app, int& exit_code) {
+void add_run_command(CLI::App& app, int& exit_code, std::shared_ptr<simulation::Crew> crew) {
     auto a = std::make_shared<simulation::RunRequest>();
+    a->crew = std::move(crew);
     CLI::App* command = app.add_subcommand("run", "simulates one scene");
     command->add_option("scene", a->scene, "TOML file; `sandgraph keys` lists its keys")->required();
     command->add_option("-o,--out", a->folder, "run folder (default: out/<name of the scene file>)");

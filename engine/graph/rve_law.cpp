@@ -25,8 +25,8 @@ double RveLawSetup::p_wave_modulus() const {
     return out;
 }
 
-std::vector<std::shared_ptr<const dem::CompactPacking>> RveLawSetup::initial_packings() const {
-    std::vector<std::shared_ptr<const dem::CompactPacking>> out;
+InitialPackings RveLawSetup::initial_packings() const {
+    InitialPackings out;
     for (std::size_t p = 0; p < packing_of_point.size(); ++p) out.push_back(packing(p).packing);
     return out;
 }
@@ -48,7 +48,7 @@ dem::RveUpdate update_of(std::int32_t point, const RveJob& job, const RveAnswer&
 RveLaw::RveLaw(RveLawSetup setup)
     : setup_(std::move(setup)),
       visits_(setup_.packing_of_point.size()),
-      pool_(local_pool(setup_.initial_packings(), setup_.material, setup_.options)) {
+      pool_(setup_.make_pool(setup_.initial_packings(), setup_.material, setup_.options)) {
     SG_ENSURE(pool_->size() == visits_.size());
 }
 

@@ -20,13 +20,14 @@ struct RveLawSetup {
     std::vector<RowPacking> packings;
     std::vector<std::int32_t> packing_of_point;  // [points] index in `packings`
     VisitSettings visits = {};
+    PoolMaker make_pool = local_pool;
 
     const RowPacking& packing(std::size_t point) const {
         return packings[static_cast<std::size_t>(packing_of_point[point])];
     }
     double p_wave_modulus() const;  // largest of the packings [Pa]
     // What the packing of each point starts from.
-    std::vector<std::shared_ptr<const dem::CompactPacking>> initial_packings() const;
+    InitialPackings initial_packings() const;
 };
 
 // StateError when the archive is of a run that started from other packings: another machine's rounding, or

@@ -28,8 +28,7 @@ std::shared_ptr<const dem::CompactPacking> in_form_of(
 
 class LocalPool final : public RvePool {
   public:
-    LocalPool(const std::vector<std::shared_ptr<const dem::CompactPacking>>& initial,
-              const dem::Material& material, const dem::RveOptions& options)
+    LocalPool(const InitialPackings& initial, const dem::Material& material, const dem::RveOptions& options)
         : material_(material), options_(options), unbounded_(options) {
         unbounded_.steps_max = 0;
         rves_.reserve(initial.size());
@@ -68,7 +67,7 @@ class LocalPool final : public RvePool {
     void copy(std::size_t from, std::size_t to) override {
         std::vector<std::uint8_t> bytes;
         ByteWriter out(bytes);
-        rves_[from].save(out);
+        save_one(from, out);
         ByteReader in(bytes);
         load_one(to, in);
     }
@@ -77,6 +76,11 @@ class LocalPool final : public RvePool {
     }
     void load(ByteReader& in) override {
         for (std::size_t k = 0; k < rves_.size(); ++k) load_one(k, in);
+    }
+    void save_one(std::size_t rve, ByteWriter& out) const override { rves_[rve].save(out); }
+    void load_one(std::size_t rve, ByteReader& in) override {
+        rves_[rve].load(in);
+        floating_[rve] = rves_[rve].floating();
     }
 
   private:
@@ -111,11 +115,6 @@ class LocalPool final : public RvePool {
         if (!failed(sum.status)) sum.status = r.status;
     }
 
-    void load_one(std::size_t rve, ByteReader& in) {
-        rves_[rve].load(in);
-        floating_[rve] = rves_[rve].floating();
-    }
-
     dem::Material material_;
     dem::RveOptions options_, unbounded_;
     std::vector<dem::Rve> rves_;
@@ -124,8 +123,8 @@ class LocalPool final : public RvePool {
 
 }  // namespace
 
-std::unique_ptr<RvePool> local_pool(const std::vector<std::shared_ptr<const dem::CompactPacking>>& initial,
-                                    const dem::Material& material, const dem::RveOptions& options) {
+std::unique_ptr<RvePool> local_pool(const InitialPackings& initial, const dem::Material& material,
+                                    const dem::RveOptions& options) {
     return std::make_unique<LocalPool>(initial, material, options);
 }
 

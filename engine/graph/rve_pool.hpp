@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,9 +24,10 @@ struct RveJob {
 struct RveAnswer {
     dem::RveReport report;       // DEM steps of all its pieces; the worst status among them
     Mat2 stress = Mat2::Zero();  // after it [Pa], compression positive, lab frame, not symmetrised
-    Mat2 to_follow = Mat2::Zero();  // strain of an unfinished update that the stress does not know of yet, lab frame
-    double volume_ratio = 1;     // J since the start
-    bool caught_up = false;      // its path, if it had one, is driven to the end
+    Mat2 to_follow =
+        Mat2::Zero();  // strain of an unfinished update that the stress does not know of yet, lab frame
+    double volume_ratio = 1;  // J since the start
+    bool caught_up = false;   // its path, if it had one, is driven to the end
     std::optional<dem::Observables> seen;
 };
 
@@ -52,13 +54,21 @@ class RvePool {
 
     virtual void save(ByteWriter& out) const = 0;
     virtual void load(ByteReader& in) = 0;  // StateError for what is no state of these packings
+    virtual void save_one(std::size_t rve, ByteWriter& out) const = 0;
+    virtual void load_one(std::size_t rve, ByteReader& in) = 0;
 
   protected:
     std::vector<std::uint8_t> floating_;  // by packing; whoever drives keeps it
 };
 
+using InitialPackings = std::vector<std::shared_ptr<const dem::CompactPacking>>;
+
 // All packings in this process. `initial` [packings]: what each starts from.
-std::unique_ptr<RvePool> local_pool(const std::vector<std::shared_ptr<const dem::CompactPacking>>& initial,
-                                    const dem::Material& material, const dem::RveOptions& options);
+std::unique_ptr<RvePool> local_pool(const InitialPackings& initial, const dem::Material& material,
+                                    const dem::RveOptions& options);
+
+// Where the packings of a run are to live.
+using PoolMaker = std::function<std::unique_ptr<RvePool>(
+    const InitialPackings& initial, const dem::Material& material, const dem::RveOptions& options)>;
 
 }  // namespace sandgraph::graph

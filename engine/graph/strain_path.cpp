@@ -100,6 +100,19 @@ Mat2 StrainPath::advance(double budget) {
     return next * inverse;
 }
 
+void StrainPath::follow(const Place& place) {
+    SG_EXPECT(place.knots <= knots_.size());
+    const auto passed = static_cast<std::ptrdiff_t>(knots_.size() - place.knots);
+    const Mat2 from = passed > 0 ? knots_[static_cast<std::size_t>(passed - 1)] : driven_;
+    knots_.erase(knots_.begin(), knots_.begin() + passed);
+    driven_ = place.driven;
+    if (!knots_.empty() || driven_ == from) return;  // not on the last chord
+    if (driven_ == latest_)
+        recent_.clear();
+    else
+        recent_.assign(1, latest_);
+}
+
 void StrainPath::clear() {
     std::vector<Mat2>().swap(knots_);
     std::vector<Mat2>().swap(recent_);

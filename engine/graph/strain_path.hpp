@@ -19,6 +19,14 @@ class StrainPath {
     // Drives on along the path by at most `budget` of strain (Hencky norm), at most to the next knot:
     // returns the increment. Identity when there is nothing left.
     Mat2 advance(double budget);
+    // How far a copy of this path has been driven.
+    struct Place {
+        Mat2 driven = Mat2::Identity();
+        std::uint32_t knots = 0;  // ahead of it
+    };
+    Place place() const { return {driven_, static_cast<std::uint32_t>(knots_.size())}; }
+    // As advancing has brought a copy there that was as this one is.
+    void follow(const Place& place);
     bool done() const { return knots_.empty() && driven_ == latest_; }
     const Mat2& driven() const { return driven_; }  // how far a packing has been driven
     const Mat2& latest() const { return latest_; }

@@ -4,10 +4,12 @@
 #include <tbb/global_control.h>
 
 #include "base/console.hpp"
+#include "base/hash.hpp"
 #include "base/process.hpp"
 #include "io/atomic_file.hpp"
 #include "io/xdmf.hpp"
 #include "results/run_summary.hpp"
+#include "scene/scene_hash.hpp"
 #include "simulation/caveats.hpp"
 #include "simulation/prepare_run.hpp"
 #include "simulation/run_session.hpp"
@@ -31,6 +33,7 @@ void finish(const simulation::RunSession& session, const simulation::RunOptions&
 
 simulation::RunEnd run_all(const simulation::RunRequest& a, const DrawPictures& draw) {
     const scene::Scene scene = simulation::scene_of(a);
+    if (a.crew) simulation::require_work_for(*a.crew, scene);
     const simulation::RunOptions options = simulation::options_of(a, scene);
     if (options.finished) {
         tell(fmt::format("the run has ended before; results in {}\n", options.folder.string()));
@@ -39,6 +42,7 @@ simulation::RunEnd run_all(const simulation::RunRequest& a, const DrawPictures& 
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(options.threads));
     const packings::PreparedGround ground = simulation::prepare(scene, options.threads);
+    if (a.crew) a.crew->begin(a, options, hex(scene::scene_hash(scene)));
     simulation::RunSession session(scene, ground, options);
     for (const std::string& caveat : simulation::caveats(scene, ground, session.simulation()))
         notice("warning: " + caveat);
@@ -47,6 +51,7 @@ simulation::RunEnd run_all(const simulation::RunRequest& a, const DrawPictures& 
                            simulation::resume_command(a, options.folder)));
         return simulation::RunEnd::interrupted;
     }
+    if (options.crew) notice(options.crew->account());
     finish(session, options, scene, ground, draw);
     if (session.went_all_the_way()) session.discard_restart_files();
     return simulation::RunEnd::finished;

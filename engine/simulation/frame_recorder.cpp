@@ -22,8 +22,12 @@ std::optional<io::Frame> FrameRecorder::after_step(const Simulation& simulation)
     return make_frame(simulation, start_, initial_porosity_, material_);
 }
 
+bool FrameRecorder::due_by(double mark) const {
+    return next_ < marks_.size() && mark >= marks_[next_] - kReached;
+}
+
 void FrameRecorder::resume_at(double mark) {
-    while (next_ < marks_.size() && mark >= marks_[next_] - kReached) ++next_;
+    while (due_by(mark)) ++next_;
 }
 
 }  // namespace sandgraph::simulation

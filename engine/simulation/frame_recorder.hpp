@@ -14,6 +14,7 @@ class FrameRecorder {
     FrameRecorder(const scene::Scene& scene, const Simulation& simulation, double initial_porosity);
     // The frame that is due, marks that one step passes together count once.
     std::optional<io::Frame> after_step(const Simulation& simulation);
+    bool due_by(double mark) const;
     // A resumed run has passed this mark. Its list may be another than before: frames change no physics.
     void resume_at(double mark);
 

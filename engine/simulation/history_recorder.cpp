@@ -15,19 +15,6 @@ namespace {
 
 constexpr std::size_t kBlock = 2048;  // rows handed to the writer at once
 
-// Chooses the points of the log and has the law watch them: all over the ground at full fidelity, the audited
-// ones in a screening run.
-std::vector<std::int32_t> watch(Simulation& simulation, const scene::Scene& scene) {
-    const graph::GroundState& s = simulation.state();
-    if (s.law->answers() == stress::Answers::formula)
-        throw InputError(scene.where("output.history"), "output.history = true",
-                         "a ground without grains has no DEM updates",
-                         "run with ground.law = \"rve\", or leave history out");
-    const auto plate = s.bodies.empty() ? std::nullopt : std::optional(s.bodies.front().plate.rectangle());
-    return s.law->watch(history_points(s.points, plate, scene.anchor.width, scene.output.history_points,
-                                       scene.ground.grains.seed));
-}
-
 std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene,
                                             const packings::PreparedGround& ground) {
     std::vector<io::HistoryPacking> out;
@@ -41,6 +28,17 @@ std::vector<io::HistoryPacking> packings_of(const scene::Scene& scene,
 
 }  // namespace
 
+std::vector<std::int32_t> watch_history(Simulation& simulation, const scene::Scene& scene) {
+    const graph::GroundState& s = simulation.state();
+    if (s.law->answers() == stress::Answers::formula)
+        throw InputError(scene.where("output.history"), "output.history = true",
+                         "a ground without grains has no DEM updates",
+                         "run with ground.law = \"rve\", or leave history out");
+    const auto plate = s.bodies.empty() ? std::nullopt : std::optional(s.bodies.front().plate.rectangle());
+    return s.law->watch(history_points(s.points, plate, scene.anchor.width, scene.output.history_points,
+                                       scene.ground.grains.seed));
+}
+
 HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const packings::PreparedGround& ground,
                                  Simulation& simulation, std::filesystem::path folder, bool resume)
     : folder_(std::move(folder)),
@@ -49,7 +47,7 @@ HistoryRecorder::HistoryRecorder(const scene::Scene& scene, const packings::Prep
       rows_max_(
           static_cast<std::size_t>(scene.output.history_max / double(io::HistoryJournal::row_bytes()))) {
     const mpm::Points& points = simulation.state().points;
-    const std::vector<std::int32_t> chosen = watch(simulation, scene);
+    const std::vector<std::int32_t> chosen = watch_history(simulation, scene);
     const std::vector<std::int32_t> dealt = packings::deal(points.row, scene.ground.grains);
     if (scene.mode == scene::Mode::screening) mode_ = io::HistoryMode::audit;
     history_of_.assign(points.size(), -1);

@@ -11,6 +11,10 @@
 
 namespace sandgraph::simulation {
 
+// Chooses the points of the log and has the law watch them: all over the ground at full fidelity, the audited
+// ones in a screening run. Returns the points. InputError for ground without grains.
+std::vector<std::int32_t> watch_history(Simulation& simulation, const scene::Scene& scene);
+
 // The history log of a run: follows some points (of a screening run the audited ones) from the first step on,
 // hands their updates to the background writer in blocks, and makes history.h5 of them when the run ends.
 // Bounded in memory by the writer's queue, on disk by [output] history_max, past which it logs no more.

@@ -27,7 +27,7 @@ double LoadRecorder::work_scale(const Simulation& simulation) const {
 std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation) {
     if (simulation.anchored()) add(simulation);
     steps_ += 1;
-    if (simulation.mark() < next_) return std::nullopt;
+    if (!due_by(simulation.mark())) return std::nullopt;
     io::LoadRow out = row(simulation, load_ / steps_);
     add_drag(simulation, out);
     if (simulation.d_over_B() >= kQuasiStaticFrom && plate_work_ > 0)  // soft ground may push the plate first

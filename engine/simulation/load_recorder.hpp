@@ -19,6 +19,7 @@ class LoadRecorder {
         : every_(every), factor_(factor), unit_load_(unit_load) {}
     // After each step; a row when one is due.
     std::optional<io::LoadRow> after_step(const Simulation& simulation);
+    bool due_by(double mark) const { return mark >= next_; }
     // Largest kinetic energy over the plate's work, from d/B = 0.005 on: how far from quasi-static. Where the
     // plate has worked less than it takes to lift what lies on it, that work counts. NaN before, and where
     // the ground has worked on the plate.

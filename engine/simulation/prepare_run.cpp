@@ -78,7 +78,7 @@ RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
     o.folder = folder_of(request, scene);
     o.owner = std::make_shared<io::FolderLock>(o.folder);
     for (const fs::path& held : {o.folder, o.folder / "packings"}) io::remove_temporaries(held);
-    o.threads = threads_of(request);
+    o.threads = threads_of(request), o.crew = request.crew;
     const double end = end_mark(scene);
     if (request.until > end) notice(fmt::format("--until {:g}: the run ends at {:g}", request.until, end));
     o.until = request.until > 0 ? std::min(request.until, end) : end;
@@ -93,11 +93,27 @@ RunOptions options_of(const RunRequest& request, const scene::Scene& scene) {
 packings::PreparedGround prepare(const scene::Scene& scene, int threads) {
     tell_estimate(scene, threads);
     StageProgress progress;
+    return prepare_quietly(scene, progress.callback());
+}
+
+packings::PreparedGround prepare_quietly(const scene::Scene& scene, const ProgressCallback& progress) {
     std::shared_ptr<const stress::Surrogate> surrogate;
     if (scene.mode == scene::Mode::screening) surrogate = surrogate::load_surrogate(scene.screening.model);
-    packings::PreparedGround ground = packings::prepare_ground(scene, progress.callback());
+    packings::PreparedGround ground = packings::prepare_ground(scene, progress);
     ground.surrogate = std::move(surrogate);
     return ground;
+}
+
+void require_work_for(const Crew& crew, const scene::Scene& scene) {
+    if (crew.size() == 1) return;
+    if (scene.ground.law != scene::Law::rve)
+        throw InputError({scene.file}, fmt::format("{} ranks for a closed-form law", crew.size()),
+                         "ranks share out packings, and there are none", "run it without mpi");
+    const double points = estimate(scene, 1).points;
+    if (crew.size() > points)
+        throw InputError(
+            {scene.file}, fmt::format("{} ranks for {:.0f} material points", crew.size(), points),
+            "a rank without a point has nothing to do", fmt::format("start {:.0f} ranks at most", points));
 }
 
 }  // namespace sandgraph::simulation

@@ -16,5 +16,10 @@ RunOptions options_of(const RunRequest& request, const scene::Scene& scene);
 // used, for more ground than the machine holds (a misplaced unit), for a plate too fast. Tells what the run
 // will take.
 packings::PreparedGround prepare(const scene::Scene& scene, int threads);
+// The same unchecked and without a word.
+packings::PreparedGround prepare_quietly(const scene::Scene& scene, const ProgressCallback& progress = {});
+
+// InputError where the scene leaves a process of the crew without a packing.
+void require_work_for(const Crew& crew, const scene::Scene& scene);
 
 }  // namespace sandgraph::simulation

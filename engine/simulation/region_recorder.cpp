@@ -160,9 +160,18 @@ void RegionRecorder::keep_packings(const Simulation& simulation, const std::file
     const double now = simulation.mark();
     for (std::size_t k = 0; k < members_.size(); ++k)
         for (const double mark : members_[k].packings)
-            if (mark > kept_to_ + kReached && mark <= now + kReached)
-                keep(simulation, k, mark, folder, writer);
+            if (passed(mark, now)) keep(simulation, k, mark, folder, writer);
     kept_to_ = now;
+}
+
+bool RegionRecorder::passed(double mark, double now) const {
+    return mark > kept_to_ + kReached && mark <= now + kReached;
+}
+
+bool RegionRecorder::keeps_by(double mark) const {
+    return std::ranges::any_of(members_, [&](const Members& m) {
+        return std::ranges::any_of(m.packings, [&](double kept) { return passed(kept, mark); });
+    });
 }
 
 void RegionRecorder::keep(const Simulation& simulation, std::size_t region, double mark,

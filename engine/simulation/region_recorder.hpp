@@ -20,6 +20,7 @@ class RegionRecorder {
     // passed.
     void keep_packings(const Simulation& simulation, const std::filesystem::path& folder,
                        BackgroundWriter& writer);
+    bool keeps_by(double mark) const;  // a packing
     // A resumed run goes on behind this mark.
     void resume_at(double mark) { kept_to_ = mark; }
 
@@ -30,6 +31,7 @@ class RegionRecorder {
         std::vector<double> packings;
     };
     io::RegionRow row(const Simulation& simulation, const Members& members) const;
+    bool passed(double mark, double now) const;
     void keep(const Simulation& simulation, std::size_t region, double mark,
               const std::filesystem::path& folder, BackgroundWriter& writer) const;
 

@@ -52,6 +52,11 @@ void RunRecorders::after_step(const Simulation& simulation) {
     }
 }
 
+bool RunRecorders::look_by(double mark) const {
+    return frames_.due_by(mark) || regions_.keeps_by(mark) ||
+           (!regions_.regions().empty() && loads_.due_by(mark));
+}
+
 void RunRecorders::settle(const Simulation& simulation) {
     writer_.drain();
     const stress::Law& law = *simulation.state().law;

@@ -21,6 +21,8 @@ class RunRecorders {
     RunRecorders(const scene::Scene& scene, const packings::PreparedGround& ground, Simulation& simulation,
                  const RunOptions& options);
     void after_step(const Simulation& simulation);
+    // Whether something that looks at packings falls due up to this mark.
+    bool look_by(double mark) const;
     // Waits for the writer and notes what the law and the phases have cost so far. Before commit or archive.
     void settle(const Simulation& simulation);
     void commit() { file_.commit(); }

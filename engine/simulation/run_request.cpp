@@ -39,7 +39,8 @@ std::string shell_word(const std::string& word) {
 }
 
 int threads_of(const RunRequest& a) {
-    return a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
+    if (a.threads > 0) return a.threads;
+    return a.crew ? a.crew->threads() : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 scene::Scene scene_of(const RunRequest& a) {

@@ -6,6 +6,7 @@
 
 #include "io/folder_lock.hpp"
 #include "scene/scene.hpp"
+#include "simulation/crew.hpp"
 
 namespace sandgraph::simulation {
 
@@ -15,7 +16,8 @@ struct RunRequest {
     std::vector<std::string> set;     // section.key=value
     int threads = 0;                  // 0: all cores
     bool resume = false;
-    double until = 0;  // d/B (without an anchor time [s]) at which to stop; 0: the scene's end
+    double until = 0;            // d/B (without an anchor time [s]) at which to stop; 0: the scene's end
+    std::shared_ptr<Crew> crew;  // null: alone
 };
 
 // The same, decided.
@@ -26,6 +28,7 @@ struct RunOptions {
     double until = 0;       // mark at which to stop
     bool resume = false;    // there is a checkpoint to go on from
     bool finished = false;  // there is nothing left to do
+    std::shared_ptr<Crew> crew;
 };
 
 int threads_of(const RunRequest& request);

@@ -27,7 +27,7 @@ RunSession::RunSession(const scene::Scene& scene, const packings::PreparedGround
                        const RunOptions& options)
     : options_(options),
       end_(end_mark(scene)),
-      simulation_(simulation_of(scene, ground)),
+      simulation_(simulation_of(scene, ground, options.crew ? options.crew->pool() : graph::local_pool)),
       recorders_(scene, ground, *simulation_, options),
       checkpoint_(options.folder, hex(scene::scene_hash(scene)), scene.output.checkpoint_every) {
     if (options.resume) checkpoint_.read([this](Archive& a) { archive(a); });
@@ -44,10 +44,14 @@ RunEnd RunSession::go() {
     clock_.start();
     catch_interrupts();
     Progress progress;
-    while (!reached(options_.until) && !interrupted()) {
+    bool stopping = interrupted();
+    while (!reached(options_.until) && !stopping) {
+        const bool due = checkpoint_.due();
+        stopping = interrupted();
+        announce_step(due || stopping);
         simulation_->step();
         recorders_.after_step(*simulation_);
-        if (checkpoint_.due()) checkpoint();
+        if (due) checkpoint();
         if (progress.due())
             progress.update(standing(*simulation_, options_.until, recorders_.loads().last()));
     }
@@ -60,6 +64,14 @@ RunEnd RunSession::go() {
     }
     recorders_.write_history();
     return reached(options_.until) ? RunEnd::finished : RunEnd::interrupted;
+}
+
+// A crew has to know before the step whether it must wait behind it.
+void RunSession::announce_step(bool checkpoint) const {
+    if (!options_.crew) return;
+    const double next = simulation_->next_mark();
+    options_.crew->announce(checkpoint || next >= options_.until - 2 * kReached ||
+                            recorders_.look_by(next + kReached));
 }
 
 bool RunSession::reached(double mark) const { return simulation_->mark() >= mark - kReached; }

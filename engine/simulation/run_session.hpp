@@ -28,6 +28,7 @@ class RunSession {
   private:
     RunEnd go();
     bool reached(double mark) const;
+    void announce_step(bool checkpoint) const;
     void checkpoint();
     void archive(Archive& a);
 

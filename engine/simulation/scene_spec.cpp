@@ -54,10 +54,14 @@ mpm::GridShape grid_shape(const scene::Scene& scene) {
 }
 
 std::unique_ptr<stress::Law> granular_law(const scene::Scene& scene, const packings::PreparedGround& ground,
-                                          const mpm::Points& points) {
+                                          const mpm::Points& points, const graph::PoolMaker& make_pool) {
     const scene::Ground& g = scene.ground;
-    graph::RveLawSetup setup{g.grains.material, dem::rve_options(g.rve, g.grains.material, ground.radii()),
-                             ground.packings, packings::deal(points.row, g.grains), g.rve};
+    graph::RveLawSetup setup{g.grains.material,
+                             dem::rve_options(g.rve, g.grains.material, ground.radii()),
+                             ground.packings,
+                             packings::deal(points.row, g.grains),
+                             g.rve,
+                             make_pool};
     if (scene.mode == scene::Mode::screening) return screening_law(scene, ground, std::move(setup));
     return std::make_unique<graph::RveLaw>(std::move(setup));
 }
@@ -78,9 +82,13 @@ std::unique_ptr<stress::Law> closed_form_law(const scene::Scene& scene,
     return std::make_unique<stress::MohrCoulomb>(g.continuum, std::move(initial), std::move(out_of_plane));
 }
 
-LawFactory law_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
-    const auto make = scene.ground.law == scene::Law::rve ? granular_law : closed_form_law;
-    return [make, scene, ground](const mpm::Points& points) { return make(scene, ground, points); };
+LawFactory law_of(const scene::Scene& scene, const packings::PreparedGround& ground,
+                  const graph::PoolMaker& make_pool) {
+    if (scene.ground.law != scene::Law::rve)
+        return [scene, ground](const mpm::Points& points) { return closed_form_law(scene, ground, points); };
+    return [scene, ground, make_pool](const mpm::Points& points) {
+        return granular_law(scene, ground, points, make_pool);
+    };
 }
 
 GroundSpec ground_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
@@ -193,8 +201,9 @@ double whole_plate_factor(const scene::Scene& scene) {
     return (body ? body->low(0) < 0 : horizontal(scene)) ? 2 : 1;
 }
 
-std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
-    auto simulation = std::make_unique<Simulation>(spec_of(scene, ground));
+std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground,
+                                          const graph::PoolMaker& make_pool) {
+    auto simulation = std::make_unique<Simulation>(spec_of(scene, ground, make_pool));
     if (scene.loaded()) require_slow_plate(scene, simulation->state().settings.dt);
     require_stiff_contact(scene, *simulation);
     return simulation;
@@ -204,7 +213,8 @@ double end_mark(const scene::Scene& scene) {
     return scene.loaded() ? scene.anchor.pull_to : scene.mpm.end_time;
 }
 
-Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground) {
+Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground,
+             const graph::PoolMaker& make_pool) {
     Spec spec;
     spec.ground = ground_of(scene, ground);
     spec.grid = grid_shape(scene);
@@ -217,7 +227,7 @@ Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground) 
     for (BodySpec& body : spec.bodies) body.plate.trimmed = scene.domain.edges == scene::Edges::between_nodes;
     spec.loaded = scene.loaded();
     spec.width = scene.anchor.width;
-    spec.law = law_of(scene, ground);
+    spec.law = law_of(scene, ground, make_pool);
     return spec;
 }
 

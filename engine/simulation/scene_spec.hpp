@@ -5,9 +5,11 @@
 namespace sandgraph::simulation {
 
 // What a checked scene asks for, on prepared ground.
-Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground);
+Spec spec_of(const scene::Scene& scene, const packings::PreparedGround& ground,
+             const graph::PoolMaker& make_pool = graph::local_pool);
 // The same built, at rest before the first step. InputError for a plate too fast for the contact.
-std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground);
+std::unique_ptr<Simulation> simulation_of(const scene::Scene& scene, const packings::PreparedGround& ground,
+                                          const graph::PoolMaker& make_pool = graph::local_pool);
 
 // Where the run ends: d/B of the anchor, in ground without one time [s].
 double end_mark(const scene::Scene& scene);

@@ -117,6 +117,11 @@ void Simulation::advance() {
 
 double Simulation::resistance(const Vec2& force) const { return -force.dot(programmes_.front().direction); }
 
+double Simulation::next_mark() const {
+    const double dt = state_->settings.dt;
+    return anchored() ? d_over_B() + dt * programmes_.front().rate / width_ : time_ + dt;
+}
+
 const mpm::Reaction& Simulation::reaction() const { return state_->bodies.front().contact.reaction; }
 
 double Simulation::load() const { return resistance(reaction().total()); }

@@ -25,6 +25,7 @@ class Simulation {
     double d_over_B() const { return anchored() ? travel_.front() / width_ : 0; }
     // What marks of outputs count in: d/B, in ground without an anchor time [s].
     double mark() const { return anchored() ? d_over_B() : time_; }
+    double next_mark() const;  // after the next step, at most
 
     // Of the anchor, for the modelled part: force of the soil against its direction in the last step [N/m].
     double load() const;

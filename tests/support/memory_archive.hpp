@@ -13,6 +13,7 @@ class MemoryArchive final : public Archive {
   public:
     bool reading() const override { return reading_; }
     void read_from_now_on() { reading_ = true; }
+    bool same_as(const MemoryArchive& other) const { return fields_ == other.fields_; }
     void field(std::string_view name, std::vector<double>& v) override { pass(name, v); }
     void field(std::string_view name, std::vector<std::int64_t>& v) override { pass(name, v); }
     void field(std::string_view name, std::vector<std::uint8_t>& v) override { pass(name, v); }

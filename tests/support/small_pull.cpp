@@ -49,19 +49,21 @@ const std::vector<graph::RowPacking>& rows(int count) {
     return made;
 }
 
-graph::RveLawSetup grains_of(const mpm::Points& points) {
+using LawMaker = std::unique_ptr<stress::Law> (*)(const mpm::Points&, const graph::PoolMaker&);
+
+graph::RveLawSetup grains_of(const mpm::Points& points, const graph::PoolMaker& make_pool) {
     const int count = 1 + *std::ranges::max_element(points.row);
     const auto all = rows(count);
-    return {{}, table1_options(), {all.begin(), all.begin() + count}, points.row};
+    return {{}, table1_options(), {all.begin(), all.begin() + count}, points.row, {}, make_pool};
 }
 
-std::unique_ptr<stress::Law> full_law(const mpm::Points& points) {
-    return std::make_unique<graph::RveLaw>(grains_of(points));
+std::unique_ptr<stress::Law> full_law(const mpm::Points& points, const graph::PoolMaker& make_pool) {
+    return std::make_unique<graph::RveLaw>(grains_of(points, make_pool));
 }
 
 // Updates go on in the next steps, bounds and settling follow what the packing did before.
-std::unique_ptr<stress::Law> carrying_law(const mpm::Points& points) {
-    graph::RveLawSetup setup = grains_of(points);
+std::unique_ptr<stress::Law> carrying_law(const mpm::Points& points, const graph::PoolMaker& make_pool) {
+    graph::RveLawSetup setup = grains_of(points, make_pool);
     setup.options.steps_max = 4, setup.options.rate_jump_max = 2;
     setup.options.steady_factor = 2, setup.options.steady_strain = 1e-5;
     setup.visits = {
@@ -69,9 +71,9 @@ std::unique_ptr<stress::Law> carrying_law(const mpm::Points& points) {
     return std::make_unique<graph::RveLaw>(std::move(setup));
 }
 
-std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
+std::unique_ptr<stress::Law> screening_law(const mpm::Points& points, const graph::PoolMaker& make_pool) {
     graph::ScreeningSetup setup;
-    setup.grains = grains_of(points);
+    setup.grains = grains_of(points, make_pool);
     setup.surrogate = std::make_shared<ElementSurrogate>();
     for (const graph::RowPacking& row : setup.grains.packings) {
         const double p = mean_stress(tension_positive(row.packing->stress));
@@ -83,7 +85,8 @@ std::unique_ptr<stress::Law> screening_law(const mpm::Points& points) {
     return std::make_unique<graph::ScreeningLaw>(std::move(setup));
 }
 
-std::unique_ptr<simulation::Simulation> pull_with(const Extent& extent, const simulation::LawFactory& law) {
+std::unique_ptr<simulation::Simulation> pull_with(const Extent& extent, LawMaker law,
+                                                  const graph::PoolMaker& make_pool = graph::local_pool) {
     const double depth = extent.rows * kCell;
     mpm::RigidPlate plate{0, depth - kPlateDepth, 0.5, 0.125};
     plate.friction_angle = std::numbers::pi / 2;
@@ -94,7 +97,7 @@ std::unique_ptr<simulation::Simulation> pull_with(const Extent& extent, const si
     spec.grid = {0, 0, kCell, extent.columns, extent.rows + 6};
     spec.gravity = {0, -kGravity};
     spec.bodies = {{plate, {.rate = 0.05, .ramp = 0.01, .settle = 0.002}}};
-    spec.law = law;
+    spec.law = [law, make_pool](const mpm::Points& points) { return law(points, make_pool); };
     return std::make_unique<simulation::Simulation>(spec);
 }
 
@@ -104,6 +107,11 @@ std::unique_ptr<simulation::Simulation> small_pull() { return pull_with(small, f
 std::unique_ptr<simulation::Simulation> small_screening_pull() { return pull_with(small, screening_law); }
 std::unique_ptr<simulation::Simulation> small_carrying_pull() { return pull_with(small, carrying_law); }
 std::unique_ptr<simulation::Simulation> wide_pull() { return pull_with(wide, full_law); }
+
+std::unique_ptr<simulation::Simulation> small_pull(SmallPull kind, const graph::PoolMaker& make_pool) {
+    constexpr LawMaker laws[] = {full_law, carrying_law, screening_law};
+    return pull_with(small, laws[static_cast<int>(kind)], make_pool);
+}
 
 std::string digest(const simulation::Simulation& pull) {
     const mpm::Points& g = pull.state().points;

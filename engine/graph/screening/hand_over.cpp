@@ -216,6 +216,7 @@ void ScreeningLaw::replace_failed() {
                             .path = &paths_[p],
                             .path_steps = std::numeric_limits<int>::max()});
         }
+    if (lost.empty()) return;
     std::vector<RveAnswer> driven(lost.size());
     pool_->drive(lost, driven);
     for (std::size_t k = 0; k < lost.size(); ++k) {

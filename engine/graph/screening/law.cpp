@@ -33,7 +33,7 @@ ScreeningSetup completed(ScreeningSetup setup) {
 std::unique_ptr<RvePool> pool_of(const RveLawSetup& grains, const AuditSample& audit) {
     auto initial = grains.initial_packings();
     for (const std::int32_t p : audit.points()) initial.push_back(initial[static_cast<std::size_t>(p)]);
-    return local_pool(initial, grains.material, grains.options);
+    return grains.make_pool(initial, grains.material, grains.options);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+#include <csignal>
+#include <string_view>
+
+#include "app/command_line.hpp"
+#include "base/console.hpp"
+#include "mpi/mpi_team.hpp"
+#include "ranks/follower.hpp"
+#include "ranks/leader.hpp"
+
+namespace {
+
+using namespace sandgraph;
+
+bool shares_out(int argc, char** argv) {
+    const std::string_view command = argc > 1 ? argv[1] : "";
+    return command == "run" || command.starts_with('-');  // --help
+}
+
+int lead(mpi::MpiTeam& team, int argc, char** argv) {
+    if (team.size() > 1 && !shares_out(argc, argv)) {
+        notice("sandgraph: several ranks (only the packings of `run` are shared out); start it without mpi");
+        return app::exit_bad_input;
+    }
+    return app::run_command_line(argc, argv, std::make_shared<ranks::Leader>(team));
+}
+
+// Rank 0 is asked to stop, too, and ends the run at its next step.
+void leave_signals_to_rank_0() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    mpi::MpiTeam team(argc, argv);
+    if (team.rank() != 0) {
+        leave_signals_to_rank_0();
+        ranks::follow(team);
+        return app::exit_done;
+    }
+    const int code = lead(team, argc, argv);
+    ranks::tell(team, {});
+    return code;
+}
