@@ -49,6 +49,9 @@ struct AuditSettings {
     double share = 0.01;  // of the points, drawn at random
     std::uint64_t seed = 1;
     double every = 0.01;  // d/B between two audits
+    // Auditors of the load: how many are expected, and which share of them is drawn evenly, not by power.
+    int load_points = 24;  // 0: none
+    double load_evenly = 0.25;
 };
 
 // All of a screening law's settings but those of its grains.
