@@ -71,19 +71,13 @@ class LocalPool final : public RvePool {
     RveAnswer run(const RveJob& job, dem::Workspace& work) {
         RveAnswer out;
         out.caught_up = !job.path || catch_up(job, out.report, work);
-        if (out.caught_up && job.increment)
-            advance(job.rve, *job.increment, options_of(job), out.report, work);
+        const dem::RveOptions& options = job.may_wait ? options_ : unbounded_;
+        if (out.caught_up && job.increment) advance(job.rve, *job.increment, options, out.report, work);
         const dem::Rve& rve = rves_[job.rve];
         floating_[job.rve] = rve.floating();
         out.stress = rve.stress(), out.volume_ratio = rve.volume_ratio();
         if (out.report.unfinished) out.to_follow = rve.strain_to_follow();
         if (job.observed) out.seen = dem::observe(rve, material_);
-        return out;
-    }
-
-    dem::RveOptions options_of(const RveJob& job) const {
-        dem::RveOptions out = job.may_wait ? options_ : unbounded_;
-        if (job.haste != 1) out.inertial_number_max *= job.haste, out.strain_per_step_max *= job.haste;
         return out;
     }
 

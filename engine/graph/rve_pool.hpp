@@ -17,7 +17,6 @@ struct RveJob {
     StrainPath* path = nullptr;     // advanced as far as the packing gets
     int path_steps = 0;             // DEM steps along the path after which it stops for now
     bool observed = false;          // the answer holds what the packing shows
-    double haste = 1;               // by which the bounds on strain rate and on a step's strain loosen
     bool may_wait = false;          // RveOptions::steps_max holds: the report may be of an unfinished update
 };
 

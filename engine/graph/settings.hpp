@@ -50,7 +50,7 @@ struct AuditSettings {
     std::uint64_t seed = 1;
     double every = 0.01;  // d/B between two audits
     // Auditors of the load: how many are expected, and which share of them is drawn evenly, not by power.
-    int load_points = 24;  // 0: none
+    int load_points = 40;  // 0: none
     double load_evenly = 0.25;
 };
 

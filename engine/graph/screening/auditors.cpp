@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/contracts.hpp"
 #include "graph/screening/power_draw.hpp"
@@ -11,10 +12,13 @@
 namespace sandgraph::graph {
 namespace {
 
+constexpr double kMemory = 0.9;  // of the ratio of missing work, at each row
 constexpr double kFade = 0.5;  // of the power noted so far, at each draw: mechanisms move
 
 // A mechanism forms early: draws are close at first.
 constexpr double kFirst = 0.05, kGrowth = 0.3;  // of AuditSettings::every; of d/B
+
+double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
 double volume_of(const stress::Batch& batch, std::size_t p) {
     return batch.around.volume.empty() ? 1 : batch.around.volume[p];
@@ -33,8 +37,11 @@ Auditors::Auditors(std::size_t points, const AuditSettings& settings, LedPacking
       packings_(std::move(packings)),
       number_(permanent_numbers(points, settings.seed)),
       power_(points, 0),
-      work_(points, 0),
-      spread_(points, 0) {}
+      missing_(points, 0),
+      missing_spread_(points, 0),
+      moved_(points, 0),
+      moved_spread_(points, 0),
+      moved_now_(points, 0) {}
 
 std::int64_t Auditors::after_step(const Followed& ground, std::span<const std::int32_t> asked,
                                   const Modes& modes, RvePool& pool, std::int64_t& failures) {
@@ -46,7 +53,9 @@ std::int64_t Auditors::after_step(const Followed& ground, std::span<const std::i
     for (const Auditor& a : auditors_) points.push_back(a.point);
     const std::int64_t steps = packings_.follow(points, ground, pool, failures);
     take_over(ground);
-    count_work(ground.batch);
+    for (const Auditor& a : auditors_)
+        if (a.chance > 0) count(a, ground.batch);
+    forget_step(asked);
     return steps;
 }
 
@@ -55,8 +64,9 @@ void Auditors::record(const Followed& ground, std::span<const std::int32_t> aske
         const auto p = std::size_t(point);
         if (modes.by_grains(p) || !ground.F[p].allFinite()) continue;
         const double pressure = std::fmax(0, mean_stress(ground.batch.stress[p]));
-        power_[p] += volume_of(ground.batch, p) * pressure *
-                     strain_between(packings_.recorded(point), ground.F[p]);
+        moved_now_[p] = volume_of(ground.batch, p) * pressure *
+                        strain_between(packings_.recorded(point), ground.F[p]);
+        power_[p] += moved_now_[p], moved_by_all_ += moved_now_[p];
         packings_.record(point, ground.F[p]);
     }
 }
@@ -104,25 +114,33 @@ void Auditors::take_over(const Followed& ground) {
 }
 
 // docs/how_it_works.md (eq. 41d).
-void Auditors::count_work(const stress::Batch& batch) {
-    for (const Auditor& a : auditors_) {
-        if (a.chance == 0) continue;
-        const auto p = std::size_t(a.point);
-        const Mat2& F_inc = batch.F_inc[p];
-        turn(packings_.shortfall(a.point), F_inc);
-        const double missing =
-            volume_of(batch, p) * product(packings_.shortfall(a.point), small_strain(F_inc));
-        work_[p] += missing / a.chance;
-        spread_[p] += std::sqrt(1 - a.chance) / a.chance * missing;
-    }
+void Auditors::count(const Auditor& a, const stress::Batch& batch) {
+    const auto p = std::size_t(a.point);
+    Stress& shortfall = packings_.shortfall(a.point);
+    turn(shortfall, batch.F_inc[p]);
+    const double missing = volume_of(batch, p) * product(shortfall, small_strain(batch.F_inc[p]));
+    const double spread = std::sqrt(1 - a.chance) / a.chance;
+    missing_[p] += missing / a.chance, missing_spread_[p] += spread * missing;
+    moved_[p] += moved_now_[p] / a.chance, moved_spread_[p] += spread * moved_now_[p];
 }
 
+void Auditors::forget_step(std::span<const std::int32_t> asked) {
+    for (const std::int32_t p : asked) moved_now_[std::size_t(p)] = 0;
+}
+
+// (eq. 41d) What has moved is known for all points: where the sample has moved more or less than it should,
+// its missing work is wrong in proportion.
 stress::VirtualWork Auditors::take() {
-    stress::VirtualWork out{known_, 0};
-    for (std::size_t p = 0; p < work_.size(); ++p)
-        out.missing += work_[p], out.variance += spread_[p] * spread_[p];
-    known_ = 0;
-    std::ranges::fill(work_, 0), std::ranges::fill(spread_, 0);
+    const double missing = sum(missing_), moved = sum(moved_);
+    missing_late_ = kMemory * missing_late_ + missing, moved_late_ = kMemory * moved_late_ + moved;
+    const double ratio = moved_late_ > 0 ? missing_late_ / moved_late_ : 0;
+    stress::VirtualWork out{known_ + missing + ratio * (moved_by_all_ - moved), 0};
+    for (std::size_t p = 0; p < missing_.size(); ++p) {
+        const double one = missing_spread_[p] - ratio * moved_spread_[p];
+        out.variance += one * one;
+    }
+    known_ = moved_by_all_ = 0;
+    for (auto* list : {&missing_, &missing_spread_, &moved_, &moved_spread_}) std::ranges::fill(*list, 0);
     return out;
 }
 
@@ -138,7 +156,8 @@ double Auditors::chance(std::int32_t point) const {
 void Auditors::save(ByteWriter& out) const {
     if (!present()) return;
     packings_.save(out);
-    out.put(power_), out.put(work_), out.put(spread_), out.put(known_);
+    for (const auto* list : {&power_, &missing_, &missing_spread_, &moved_, &moved_spread_}) out.put(*list);
+    out.put(moved_by_all_), out.put(known_), out.put(missing_late_), out.put(moved_late_);
     out.put(std::uint8_t(making_ready_)), out.put(next_draw_), out.put(std::uint64_t(auditors_.size()));
     for (const Auditor& a : auditors_) out.put(a.point), out.put(a.chance), out.put(a.next);
 }
@@ -146,7 +165,8 @@ void Auditors::save(ByteWriter& out) const {
 void Auditors::load(ByteReader& in) {
     if (!present()) return;
     packings_.load(in);
-    in.take_same(power_), in.take_same(work_), in.take_same(spread_), in.take(known_);
+    for (auto* list : {&power_, &missing_, &missing_spread_, &moved_, &moved_spread_}) in.take_same(*list);
+    in.take(moved_by_all_), in.take(known_), in.take(missing_late_), in.take(moved_late_);
     std::uint64_t size = 0;
     in.take(making_ready_), in.take(next_draw_), in.take(size);
     require_state(size <= power_.size() && next_draw_ >= 0, "auditors");

@@ -48,18 +48,23 @@ class Auditors {
     void draw(const Followed& ground, const Modes& modes, RvePool& pool);
     void enlist(const std::vector<double>& chance, RvePool& pool);
     void take_over(const Followed& ground);
-    void count_work(const stress::Batch& batch);
+    void count(const Auditor& a, const stress::Batch& batch);
+    void forget_step(std::span<const std::int32_t> asked);
     void require_sound() const;
 
     AuditSettings settings_;
     LedPackings packings_;
     std::vector<double> number_;     // permanent, by point
-    std::vector<double> power_;      // by point: work of late [J/m], what chances go by
+    std::vector<double> power_;      // by point: V p |d(eps)| of late [J/m], what chances go by
     std::vector<Auditor> auditors_;  // in the order of their points
     bool making_ready_ = false;
     double next_draw_ = 0;               // d/B
-    std::vector<double> work_, spread_;  // by point, since last taken [J/m]
-    double known_ = 0;
+    // By point, since last taken [J/m]: work over chance and its part of the standard error, of what grains
+    // would take beyond the ground (missing) and of what goes by the same motion and is known for all (moved).
+    std::vector<double> missing_, missing_spread_, moved_, moved_spread_;
+    double moved_by_all_ = 0, known_ = 0;    // since last taken [J/m]
+    double missing_late_ = 0, moved_late_ = 0;  // of the sample, of late [J/m]
+    std::vector<double> moved_now_;          // by point, of this step
 };
 
 }  // namespace sandgraph::graph
