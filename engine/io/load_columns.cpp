@@ -36,13 +36,15 @@ std::span<const LoadColumn> load_columns(bool audited) {
 
 std::string load_csv_header(bool audited) {
     std::string text;
-    for (const LoadColumn& c : load_columns(audited)) text += fmt::format("{}{}", text.empty() ? "" : ",", c.header);
+    for (const LoadColumn& c : load_columns(audited))
+        text += fmt::format("{}{}", text.empty() ? "" : ",", c.header);
     return text;
 }
 
 std::string load_csv_line(const LoadRow& row, bool audited) {
     std::string text;
-    for (const LoadColumn& c : load_columns(audited)) text += fmt::format("{}{}", text.empty() ? "" : ",", row.*c.member);
+    for (const LoadColumn& c : load_columns(audited))
+        text += fmt::format("{}{}", text.empty() ? "" : ",", row.*c.member);
     return text;
 }
 

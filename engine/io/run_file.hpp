@@ -25,7 +25,8 @@ class RunFile {
   public:
     // A new run; call it only when all input is checked. Outputs of an earlier run in the folder are
     // replaced. `load_audited`: RunRecord::load_audited.
-    static RunFile create(const std::filesystem::path& folder, const RunInfo& info, bool load_audited = false);
+    static RunFile create(const std::filesystem::path& folder, const RunInfo& info,
+                          bool load_audited = false);
     // Goes on with the run in the folder; archive() with the checkpoint's reader must follow. InputError when
     // its scene is another.
     static RunFile resume(const std::filesystem::path& folder, const RunInfo& info);

@@ -55,7 +55,8 @@ auto reader(const Json& json) {
     return [&json](const char* key, auto& value) {
         if constexpr (std::is_same_v<decltype(value), bool&>)
             value = broke_out(json);
-        else if (json.contains(key) || !std::string_view(key).starts_with("load_"))  // earlier versions lack these
+        else if (json.contains(key) ||
+                 !std::string_view(key).starts_with("load_"))  // earlier versions lack these
             get(json.at(key), value);
     };
 }

@@ -52,7 +52,8 @@ Extent extent_of(const LoadPicture& picture) {
         for (const auto* loads : {&c.load, &c.low, &c.high})
             for (const double load : *loads)
                 if (std::isfinite(load))
-                    e.low = std::min(e.low, load / c.unit_load), e.high = std::max(e.high, load / c.unit_load);
+                    e.low = std::min(e.low, load / c.unit_load),
+                    e.high = std::max(e.high, load / c.unit_load);
     for (const ReferenceLine& r : picture.references) e.high = std::max(e.high, r.n_gamma);
     if (!(e.high > 0)) e.high = e.low < 0 ? 0 : 1;
     if (e.low > -0.1 * e.high) e.low = 0;  // of the first moments
@@ -155,10 +156,12 @@ std::string curve_item(const LoadCurve& curve, std::size_t k, const std::string&
 // Behind the curve: band and correction.
 std::vector<std::string> bar_items(const LoadCurve& curve) {
     if (!has_bar(curve) || curve.load.empty()) return {};
-    return {fmt::format("'{}' using 1:4:5 with filledcurves fs solid noborder lc rgb '#d8e2ee' title '95 % interval'",
-                        file_name(0)),
-            fmt::format("'{}' using 1:3 with lines dt 3 lw 1.6 lc rgb '#444444' title 'corrected by the auditors'",
-                        file_name(0))};
+    return {fmt::format(
+                "'{}' using 1:4:5 with filledcurves fs solid noborder lc rgb '#d8e2ee' title '95 % interval'",
+                file_name(0)),
+            fmt::format(
+                "'{}' using 1:3 with lines dt 3 lw 1.6 lc rgb '#444444' title 'corrected by the auditors'",
+                file_name(0))};
 }
 
 // The picture's title names a single curve already.

@@ -37,7 +37,8 @@ std::string load_error_text(const io::Summary& s) {
     const io::Summary::Audit& a = s.audit;
     if (std::isnan(a.load_correction)) return "";
     return fmt::format(
-        "auditors: peak {:.1f} kN/m, corrected by {:+.1f} kN/m ({:+.1f} +- {:.1f} %); at the end +- {:.1f} % of the "
+        "auditors: peak {:.1f} kN/m, corrected by {:+.1f} kN/m ({:+.1f} +- {:.1f} %); at the end +- {:.1f} % "
+        "of the "
         "peak\n",
         s.breakout_load / 1000, a.load_correction * s.breakout_load / 1000, 100 * a.load_correction,
         100 * a.load_ci95, 100 * a.load_ci95_late);

@@ -7,8 +7,8 @@ namespace sandgraph::simulation {
 namespace {
 
 constexpr double kNormal = 1.96;  // standard errors of a 95 % interval
-// A correction is of first order: a ground with the grains' stresses would move otherwise. What it leaves of a
-// large error, half of a 95 % interval, share of the correction (as measured as LoadBarSettings is).
+// A correction is of first order: a ground with the grains' stresses would move otherwise. What it leaves of
+// a large error, half of a 95 % interval, share of the correction (as measured as LoadBarSettings is).
 constexpr double kSecondOrder = 0.4;
 
 }  // namespace

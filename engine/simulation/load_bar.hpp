@@ -8,9 +8,10 @@ namespace sandgraph::simulation {
 // What the estimate of a load's error is itself worth, as shares of the largest load so far: measured
 // (docs/accuracy.md, "The load's own error bar").
 struct LoadBarSettings {
-    double miss = 0.015;    // half of a 95 % interval, up to the peak: what is left when every point audits
-    double scatter = 0.05;  // the same, added past the peak: what a run is parted by from its equals there ...
-    double widens = 0.02;   // ... once it has gone on by so much d/B
+    double miss = 0.015;  // half of a 95 % interval, up to the peak: what is left when every point audits
+    double scatter =
+        0.05;              // the same, added past the peak: what a run is parted by from its equals there ...
+    double widens = 0.02;  // ... once it has gone on by so much d/B
 };
 
 // The 95 % interval of a screening run's load, row by row: docs/how_it_works.md (eq. 41f).

@@ -56,11 +56,12 @@ struct AuditRow {
     double ci95 = 0;        // half width of the 95 % confidence interval of the mean; NaN without a sample
 };
 
-// What auditors of the load say of a stretch of the run: the work that grains would have taken beyond what the
-// ground's stresses took along the same strain, sum of V (sigma_grains - sigma) : d(eps), of the modelled part.
+// What auditors of the load say of a stretch of the run: the work that grains would have taken beyond what
+// the ground's stresses took along the same strain, sum of V (sigma_grains - sigma) : d(eps), of the modelled
+// part.
 struct VirtualWork {
-    double missing = 0;   // unbiased estimate [J/m]
-    double variance = 0;  // of it, by the draw of the auditors; unbiased, too [(J/m)^2]
+    double missing = 0;   // an estimate [J/m]
+    double variance = 0;  // of it, by the draw of the auditors [(J/m)^2]
 };
 
 struct ScreeningCounters {

@@ -13,7 +13,7 @@ namespace sandgraph::graph {
 namespace {
 
 constexpr double kMemory = 0.9;  // of the ratio of missing work, at each row
-constexpr double kFade = 0.5;  // of the power noted so far, at each draw: mechanisms move
+constexpr double kFade = 0.5;    // of the power noted so far, at each draw: mechanisms move
 
 // A mechanism forms early: draws are close at first.
 constexpr double kFirst = 0.05, kGrowth = 0.3;  // of AuditSettings::every; of d/B
@@ -64,8 +64,8 @@ void Auditors::record(const Followed& ground, std::span<const std::int32_t> aske
         const auto p = std::size_t(point);
         if (modes.by_grains(p) || !ground.F[p].allFinite()) continue;
         const double pressure = std::fmax(0, mean_stress(ground.batch.stress[p]));
-        moved_now_[p] = volume_of(ground.batch, p) * pressure *
-                        strain_between(packings_.recorded(point), ground.F[p]);
+        moved_now_[p] =
+            volume_of(ground.batch, p) * pressure * strain_between(packings_.recorded(point), ground.F[p]);
         power_[p] += moved_now_[p], moved_by_all_ += moved_now_[p];
         packings_.record(point, ground.F[p]);
     }
@@ -94,8 +94,7 @@ void Auditors::enlist(const std::vector<double>& chance, RvePool& pool) {
     for (std::size_t p = 0; p < chance.size(); ++p) {
         const bool drawn = number_[p] < chance[p];
         const bool held = old != auditors_.end() && std::size_t(old->point) == p;
-        if (drawn || held)
-            all.push_back({std::int32_t(p), held ? old->chance : 0, drawn ? chance[p] : 0});
+        if (drawn || held) all.push_back({std::int32_t(p), held ? old->chance : 0, drawn ? chance[p] : 0});
         if (drawn && !held) packings_.call(std::int32_t(p), pool);
         if (held) ++old;
     }

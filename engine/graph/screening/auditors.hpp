@@ -58,13 +58,14 @@ class Auditors {
     std::vector<double> power_;      // by point: V p |d(eps)| of late [J/m], what chances go by
     std::vector<Auditor> auditors_;  // in the order of their points
     bool making_ready_ = false;
-    double next_draw_ = 0;               // d/B
+    double next_draw_ = 0;  // d/B
     // By point, since last taken [J/m]: work over chance and its part of the standard error, of what grains
-    // would take beyond the ground (missing) and of what goes by the same motion and is known for all (moved).
+    // would take beyond the ground (missing) and of what goes by the same motion and is known for all
+    // (moved).
     std::vector<double> missing_, missing_spread_, moved_, moved_spread_;
-    double moved_by_all_ = 0, known_ = 0;    // since last taken [J/m]
+    double moved_by_all_ = 0, known_ = 0;       // since last taken [J/m]
     double missing_late_ = 0, moved_late_ = 0;  // of the sample, of late [J/m]
-    std::vector<double> moved_now_;          // by point, of this step
+    std::vector<double> moved_now_;             // by point, of this step
 };
 
 }  // namespace sandgraph::graph

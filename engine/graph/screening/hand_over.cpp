@@ -262,8 +262,7 @@ void ScreeningLaw::hand_back(const stress::Batch& batch) {
 
 void ScreeningLaw::audit_load(const stress::Batch& batch) {
     if (!auditors_.present()) return;
-    const Followed ground{batch,         visits_,       F_,           states_,
-                          setup_.traits, setup_.grains, *setup_.surrogate};
+    const Followed ground{batch, visits_, F_, states_, setup_.traits, setup_.grains, *setup_.surrogate};
     log_.counters.load_audit_steps +=
         auditors_.after_step(ground, asked_, modes_, *pool_, counters_.failures);
     auditors_.add_known(missing_under_jumps(batch));

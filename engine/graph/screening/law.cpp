@@ -225,9 +225,8 @@ stress::Observation ScreeningLaw::observe(std::size_t point) const {
 stress::GrainUse ScreeningLaw::grain_use() const {
     const stress::ScreeningCounters& s = log_.counters;
     return {static_cast<std::int64_t>(modes_.grain_points()),
-            counters_.dem_steps + s.replay_steps + s.shadow_steps + s.audit_steps +
-                s.load_audit_steps, counters_.updates,
-            counters_.failures};
+            counters_.dem_steps + s.replay_steps + s.shadow_steps + s.audit_steps + s.load_audit_steps,
+            counters_.updates, counters_.failures};
 }
 
 AuditRow ScreeningLaw::audit() const {

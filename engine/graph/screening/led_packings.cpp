@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kPiece = 4e-4;     // strain of a piece of the path, after which the lead is looked at again
 constexpr double kVisitStrain = 8;  // between two visits, in tolerances of the path
-// Driven no faster than packings that answer: at three times the inertial number they told 5 % of the ground's
-// work too much, with pieces of 1e-3 a tenth of a known bias too little.
+// Driven no faster than packings that answer: at three times the inertial number they told 5 % of the
+// ground's work too much, with pieces of 1e-3 a tenth of a known bias too little.
 constexpr int kMost = 20000;  // DEM steps of a packing in one step, so that no state can hold a run
 
 }  // namespace

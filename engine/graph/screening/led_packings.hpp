@@ -29,7 +29,8 @@ struct Followed {
 class LedPackings {
   public:
     // They are those of the pool from `first_rve` on, one for each point. `tolerance`: of a point's recorded
-    // path, as a strain. `state_size`: of the surrogate. `steps`: DEM steps a packing catches up by in a step of the ground.
+    // path, as a strain. `state_size`: of the surrogate. `steps`: DEM steps a packing catches up by in a step
+    // of the ground.
     LedPackings(const std::vector<double>& tolerance, std::size_t state_size, std::size_t first_rve,
                 int steps);
 
@@ -56,8 +57,8 @@ class LedPackings {
     std::size_t rve(std::int32_t point) const { return first_rve_ + std::size_t(point); }
     struct Drive {
         std::int32_t point;
-        int left;         // DEM steps that it may still take
-        double target;    // mean stress where its piece ends [Pa]
+        int left;       // DEM steps that it may still take
+        double target;  // mean stress where its piece ends [Pa]
         bool moved;
     };
     bool due(std::int32_t point) const;
@@ -69,11 +70,11 @@ class LedPackings {
 
     std::vector<StrainPath> paths_;             // by point: what its packing has still to be driven along
     std::vector<double> visit_strain_;          // by point: between two visits of a packing that is level
-    std::vector<std::vector<double>> replica_;  // by point: surrogate's state where the packing stands; empty:
-                                                // at the start
+    std::vector<std::vector<double>> replica_;  // by point: surrogate's state where the packing stands;
+                                                // empty: at the start
     std::vector<std::uint8_t> from_grains_;     // by point: the packing is still to be copied
     std::vector<std::uint8_t> level_;           // by point: called, and has caught up
-    std::vector<double> excess_;  // by point: mean stress of the packing over that which leads it [Pa]
+    std::vector<double> excess_;     // by point: mean stress of the packing over that which leads it [Pa]
     std::vector<Stress> shortfall_;  // by point
     std::size_t state_size_, first_rve_;
     int steps_;

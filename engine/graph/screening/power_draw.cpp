@@ -24,7 +24,7 @@ std::vector<double> shares(std::span<const double> size, double evenly) {
 // factor that pass 1 count as 1.
 double raised(std::span<const double> share, double expected, double factor) {
     double certain = 0, rest = 0;
-    for (const double s : share) s * factor >= 1 ? ++certain : rest += s;
+    for (const double s : share) s* factor >= 1 ? ++certain : rest += s;
     return rest > 0 && expected > certain ? (expected - certain) / rest : factor;
 }
 

@@ -117,7 +117,8 @@ TEST(Auditors, DrawnLateStandWhereTheyWouldHaveStood) {
             if (!joined) continue;
             ++late;
             const Stress a = drawn.law.auditors().shortfall(p), b = census.law.auditors().shortfall(p);
-            EXPECT_LT(norm(difference(a, b)), 0.1 * mean_stress(drawn.stress[static_cast<std::size_t>(p)])) << p;
+            EXPECT_LT(norm(difference(a, b)), 0.1 * mean_stress(drawn.stress[static_cast<std::size_t>(p)]))
+                << p;
         }
     }
     EXPECT_GT(late, 0);

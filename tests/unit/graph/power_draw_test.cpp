@@ -35,8 +35,7 @@ TEST(Chances, NobodyHasNoneSaveThoseThatCannotBeDrawn) {
     const auto c = chances(size, 20, 0.25);
     EXPECT_EQ(c[3], 1);
     EXPECT_EQ(c[5], 0);
-    for (std::size_t p = 0; p < c.size(); ++p)
-        EXPECT_GE(c[p], p == 5 ? 0 : 0.05) << p;
+    for (std::size_t p = 0; p < c.size(); ++p) EXPECT_GE(c[p], p == 5 ? 0 : 0.05) << p;
     EXPECT_NEAR(sum(c), 20, 1e-9);
 }
 
@@ -60,7 +59,8 @@ TEST(PowerDraw, TheEstimateOfASumAndThatOfItsVarianceAreUnbiased) {
         const auto u = permanent_numbers(size.size(), seed);
         double estimate = 0;
         for (std::size_t p = 0; p < y.size(); ++p)
-            if (u[p] < c[p]) estimate += y[p] / c[p], told += (1 - c[p]) / (c[p] * c[p]) * y[p] * y[p] / seeds;
+            if (u[p] < c[p])
+                estimate += y[p] / c[p], told += (1 - c[p]) / (c[p] * c[p]) * y[p] * y[p] / seeds;
         mean += estimate / seeds, square += (estimate - truth) * (estimate - truth) / seeds;
     }
     EXPECT_NEAR(mean, truth, 4 * std::sqrt(square / seeds));
@@ -74,7 +74,8 @@ TEST(PowerDraw, ANewDrawKeepsWhoseChanceStaysAboveTheirNumber) {
     size[0] += 0.05;
     const auto after = chances(size, 40, 0.25);
     int kept = 0, drawn = 0;
-    for (std::size_t p = 0; p < u.size(); ++p) drawn += u[p] < after[p], kept += u[p] < std::min(before[p], after[p]);
+    for (std::size_t p = 0; p < u.size(); ++p)
+        drawn += u[p] < after[p], kept += u[p] < std::min(before[p], after[p]);
     EXPECT_GE(kept, drawn - 2);
     EXPECT_GT(drawn, 20);
 }

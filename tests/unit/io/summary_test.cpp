@@ -41,7 +41,9 @@ TEST(Summary, HasTheKeysScriptsRelyOnInTheirOrder) {
                                             "audit",
                                             "warnings"};
     EXPECT_EQ(keys, expected);
-    for (const char* key : {"points", "stress_error_mean", "ci95", "load_correction", "load_ci95", "load_ci95_late"}) EXPECT_TRUE(json["audit"].contains(key));
+    for (const char* key :
+         {"points", "stress_error_mean", "ci95", "load_correction", "load_ci95", "load_ci95_late"})
+        EXPECT_TRUE(json["audit"].contains(key));
 }
 
 TEST(Summary, TellsOfASurrogateOnlyWhereThereIsOne) {

@@ -40,9 +40,12 @@ TEST(LoadBar, WidensPastThePeakAndOnlyThere) {
     for (int k = 1; k <= 40; ++k) {
         io::LoadRow row = at(0.005 * k, k <= 10 ? 10e3 * k : 100e3 - 1e3 * (k - 10));
         bar.add_to(row, 0, 0);
-        if (k <= 10) EXPECT_NEAR(half_width(row), 0.01 * row.load, 1e-6);
-        if (k > 10 && k <= 20) EXPECT_GT(half_width(row), before);
-        if (k > 20) EXPECT_NEAR(half_width(row), std::hypot(1e3, 4e3), 1e-6);
+        if (k <= 10)
+            EXPECT_NEAR(half_width(row), 0.01 * row.load, 1e-6);
+        else if (k <= 20)
+            EXPECT_GT(half_width(row), before);
+        else
+            EXPECT_NEAR(half_width(row), std::hypot(1e3, 4e3), 1e-6);
         before = half_width(row);
     }
 }
@@ -67,8 +70,9 @@ Spec pulled() {
     spec.ground.extent = {0, 0, 2, 2};
     spec.boundaries = {mpm::Side::mirror, mpm::Side::mirror, mpm::Side::fixed, mpm::Side::free};
     spec.law = [](const mpm::Points& points) {
-        return std::make_unique<Lacking>(support::elastic(
-            {1e6, 0.3}, [](const mpm::Points&, std::size_t) { return Stress{-1e3, -2e3, 0}; })(points));
+        return std::make_unique<Lacking>(support::elastic({1e6, 0.3}, [](const mpm::Points&, std::size_t) {
+            return Stress{-1e3, -2e3, 0};
+        })(points));
     };
     spec.bodies = {{mpm::RigidPlate{1, 1, 0.4, 0.1}, {Vec2(0, 1), 0.005}}};
     spec.bodies[0].plate.rest = {2e3, 1e3, 0, 0};
