@@ -14,7 +14,7 @@ enum class Predictor { elastic, secant };
 // How true the stress between two answers of a point's law shall be.
 struct VisitSettings {
     double update_tolerance = 0.005;  // error aimed at of the predicted stress, share of p
-    double update_change_max = 0.2;    // largest predicted stress change between two answers, share of p
+    double update_change_max = 0.2;   // largest predicted stress change between two answers, share of p
     Predictor predictor = Predictor::secant;
 };
 
@@ -49,6 +49,9 @@ struct AuditSettings {
     double share = 0.01;  // of the points, drawn at random
     std::uint64_t seed = 1;
     double every = 0.01;  // d/B between two audits
+    // Auditors of the load: how many are expected, and which share of them is drawn evenly, not by power.
+    int load_points = 20;  // 0: none
+    double load_evenly = 0.25;
 };
 
 // All of a screening law's settings but those of its grains.

@@ -33,6 +33,12 @@ double strain_norm(const Mat2& F_inc) {
     return std::sqrt(e.xx * e.xx + e.yy * e.yy + 2 * e.xy * e.xy);
 }
 
+void StrainPath::begin(const Mat2& F) {
+    SG_EXPECT(F.allFinite());
+    clear();
+    driven_ = latest_ = F;
+}
+
 void StrainPath::add(const Mat2& F) {
     if (!F.allFinite()) return;
     SG_EXPECT(F.determinant() > 0);

@@ -15,7 +15,8 @@ class StrainPath {
     static constexpr std::size_t knots_max = 64;
     explicit StrainPath(double tolerance = 1e-5) : tolerance_(tolerance) {}
 
-    void add(const Mat2& F);  // the point has got to F (total, det > 0)
+    void begin(const Mat2& F);  // forgets what was: a packing stands where its point does, at F
+    void add(const Mat2& F);    // the point has got to F (total, det > 0)
     // Drives on along the path by at most `budget` of strain (Hencky norm), at most to the next knot:
     // returns the increment. Identity when there is nothing left.
     Mat2 advance(double budget);

@@ -43,6 +43,8 @@ struct LoadRow {
     double dem_steps = 0;                        // cumulated
     // Of the load (of the weight on the plate, where that is more), since the row before.
     double damping_share = 0, pic_share = 0, inertia_share = 0;
+    // Of runs whose law audits its load: without its error, and the 95 % interval of that [N/m].
+    double corrected = 0, low = 0, high = 0;
 };
 
 std::string frame_name(std::size_t index);  // "0000", "0001", ...

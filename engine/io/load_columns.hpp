@@ -15,9 +15,11 @@ struct LoadColumn {
     double LoadRow::*member;
 };
 
-std::span<const LoadColumn> load_columns();
+// `audited`: of runs whose law audits its load, which have more.
+std::span<const LoadColumn> load_columns(bool audited = false);
 
-std::string load_csv_header();                  // without line end
-std::string load_csv_line(const LoadRow& row);  // shortest text that reads back to the same bits
+std::string load_csv_header(bool audited = false);  // without line end
+// Shortest text that reads back to the same bits.
+std::string load_csv_line(const LoadRow& row, bool audited = false);
 
 }  // namespace sandgraph::io

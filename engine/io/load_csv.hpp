@@ -11,7 +11,7 @@ namespace sandgraph::io {
 class LoadCsv {
   public:
     // Writes header and rows atomically and stays open behind them.
-    LoadCsv(const std::filesystem::path& path, std::span<const LoadRow> rows);
+    LoadCsv(const std::filesystem::path& path, std::span<const LoadRow> rows, bool audited);
     ~LoadCsv();
     LoadCsv(LoadCsv&& other) noexcept;
     LoadCsv& operator=(LoadCsv&& other) noexcept;
@@ -19,6 +19,7 @@ class LoadCsv {
 
   private:
     std::filesystem::path path_;
+    bool audited_;
     int fd_ = -1;
 };
 

@@ -92,10 +92,10 @@ void require_own_outputs(const fs::path& folder) {
 RunFile::RunFile(fs::path folder, RunRecord record)
     : folder_(std::move(folder)), record_(std::move(record)) {}
 
-RunFile RunFile::create(const fs::path& folder, const RunInfo& info) {
+RunFile RunFile::create(const fs::path& folder, const RunInfo& info, bool load_audited) {
     fs::create_directories(folder);
     remove_stale(folder);
-    RunFile run(folder, {info, {}, {}, {}, 0, {}, {}});
+    RunFile run(folder, {info, {}, {}, {}, 0, {}, {}, load_audited});
     run.commit();
     run.rewrite_csv();
     return run;
@@ -169,7 +169,7 @@ void RunFile::archive(Archive& a) {
     if (a.reading()) cut_back(extent, {record_.load.size(), record_.frames, held});
 }
 
-void RunFile::rewrite_csv() { csv_.emplace(folder_ / "load.csv", record_.load); }
+void RunFile::rewrite_csv() { csv_.emplace(folder_ / "load.csv", record_.load, record_.load_audited); }
 
 void RunFile::cut_back(const Extent& to, const Extent& from) {
     if (to.load > from.load || to.frames > from.frames || to.regions > from.regions)

@@ -24,8 +24,9 @@ void require_own_outputs(const std::filesystem::path& folder);
 class RunFile {
   public:
     // A new run; call it only when all input is checked. Outputs of an earlier run in the folder are
-    // replaced.
-    static RunFile create(const std::filesystem::path& folder, const RunInfo& info);
+    // replaced. `load_audited`: RunRecord::load_audited.
+    static RunFile create(const std::filesystem::path& folder, const RunInfo& info,
+                          bool load_audited = false);
     // Goes on with the run in the folder; archive() with the checkpoint's reader must follow. InputError when
     // its scene is another.
     static RunFile resume(const std::filesystem::path& folder, const RunInfo& info);

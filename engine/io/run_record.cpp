@@ -30,8 +30,8 @@ RunInfo read_info(const h5::Group& scene) {
             h5::get_text(scene, ".", "mode"),    static_cast<int>(h5::get_integer(scene, ".", "threads"))};
 }
 
-void write_load(h5::Group group, const std::vector<LoadRow>& rows) {
-    for (const LoadColumn& c : load_columns()) {
+void write_load(h5::Group group, const std::vector<LoadRow>& rows, bool audited) {
+    for (const LoadColumn& c : load_columns(audited)) {
         std::vector<double> column;
         for (const LoadRow& row : rows) column.push_back(row.*c.member);
         h5::write(group, c.dataset, std::span<const double>(column), {column.size()}, c.unit,
@@ -39,9 +39,12 @@ void write_load(h5::Group group, const std::vector<LoadRow>& rows) {
     }
 }
 
+bool load_audited(const h5::Group& group) { return group.has(load_columns(true).back().dataset); }
+
 std::vector<LoadRow> read_load(const h5::Group& group) {
-    std::vector<LoadRow> rows(h5::read<double>(group, load_columns().front().dataset).size());
-    for (const LoadColumn& c : load_columns()) {
+    const auto columns = load_columns(load_audited(group));
+    std::vector<LoadRow> rows(h5::read<double>(group, columns.front().dataset).size());
+    for (const LoadColumn& c : columns) {
         const auto column = h5::read<double>(group, c.dataset);
         if (column.size() != rows.size())
             h5::refuse(group, group.path_of(c.dataset) + " differs in length", "all load columns must agree");
@@ -70,7 +73,7 @@ std::map<std::string, double> read_scalars(const h5::Group& group) {
 void write_run_groups(h5::Group root, const RunRecord& record) {
     mark_content(root, "run", schema);
     write_info(root.create("scene"), record.info);
-    write_load(root.create("load"), record.load);
+    write_load(root.create("load"), record.load, record.load_audited);
     write_scalars(root.create("timing"), record.timing, "s");
     write_scalars(root.create("rve"), record.counters, "-");
     write_screening(root, record.screening);
@@ -88,7 +91,8 @@ RunRecord read_run(const std::filesystem::path& run_h5) {
             read_scalars(root.open("rve")),
             root.open("frames").names().size(),
             read_screening(root),
-            read_regions(root)};
+            read_regions(root),
+            load_audited(root.open("load"))};
 }
 
 Frame read_run_frame(const std::filesystem::path& run_h5, std::size_t index) {

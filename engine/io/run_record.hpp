@@ -26,6 +26,7 @@ struct RunRecord {
     std::size_t frames = 0;
     ScreeningRecord screening;
     std::vector<RegionSeries> regions;  // by name
+    bool load_audited = false;          // the law tells its load's error: columns of their own
 };
 
 // The groups /scene, /load, /timing, /rve, those of regions and of a screening run, and an empty /frames of

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
@@ -32,6 +33,8 @@ void visit_keys(S& s, Visit&& visit) {
 template <class A, class Visit>
 void visit_audit(A& a, Visit&& visit) {
     visit("points", a.points), visit("stress_error_mean", a.stress_error_mean), visit("ci95", a.ci95);
+    visit("load_correction", a.load_correction), visit("load_ci95", a.load_ci95);
+    visit("load_ci95_late", a.load_ci95_late);
 }
 
 auto writer(Json& json) {
@@ -52,7 +55,8 @@ auto reader(const Json& json) {
     return [&json](const char* key, auto& value) {
         if constexpr (std::is_same_v<decltype(value), bool&>)
             value = broke_out(json);
-        else
+        else if (json.contains(key) ||
+                 !std::string_view(key).starts_with("load_"))  // earlier versions lack these
             get(json.at(key), value);
     };
 }

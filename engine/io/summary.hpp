@@ -28,6 +28,9 @@ struct Summary {
     struct Audit {
         std::int64_t points = 0;
         double stress_error_mean = unknown, ci95 = unknown;
+        // Of the load, shares of the peak load: what it lacks at the peak and the 95 % interval of that there
+        // and at the end; unknown where nothing audits the load.
+        double load_correction = unknown, load_ci95 = unknown, load_ci95_late = unknown;
     } audit;
     std::optional<bool> surrogate_knows_this_sand;      // of a screening run; else the key is absent
     std::vector<std::string> warnings;                  // what makes the results doubtful, a line each

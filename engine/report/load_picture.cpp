@@ -18,10 +18,17 @@ constexpr double marks_a_curve = 12;  // that tell curves of one colour apart
 
 std::string file_name(std::size_t k) { return fmt::format("curve{}.txt", k); }
 
+bool has_bar(const LoadCurve& curve) { return curve.corrected.size() == curve.load.size(); }
+
 std::string rows(const LoadCurve& curve) {
     std::string text;
-    for (std::size_t k = 0; k < curve.d_over_B.size(); ++k)
-        text += fmt::format("{} {}\n", curve.d_over_B[k], curve.load[k] / curve.unit_load);
+    for (std::size_t k = 0; k < curve.d_over_B.size(); ++k) {
+        text += fmt::format("{} {}", curve.d_over_B[k], curve.load[k] / curve.unit_load);
+        if (has_bar(curve))
+            for (const double load : {curve.corrected[k], curve.low[k], curve.high[k]})
+                text += fmt::format(" {}", load / curve.unit_load);
+        text += "\n";
+    }
     return text;
 }
 
@@ -42,9 +49,11 @@ struct Extent {
 Extent extent_of(const LoadPicture& picture) {
     Extent e;
     for (const LoadCurve& c : picture.curves)
-        for (const double load : c.load)
-            if (std::isfinite(load))
-                e.low = std::min(e.low, load / c.unit_load), e.high = std::max(e.high, load / c.unit_load);
+        for (const auto* loads : {&c.load, &c.low, &c.high})
+            for (const double load : *loads)
+                if (std::isfinite(load))
+                    e.low = std::min(e.low, load / c.unit_load),
+                    e.high = std::max(e.high, load / c.unit_load);
     for (const ReferenceLine& r : picture.references) e.high = std::max(e.high, r.n_gamma);
     if (!(e.high > 0)) e.high = e.low < 0 ? 0 : 1;
     if (e.low > -0.1 * e.high) e.low = 0;  // of the first moments
@@ -144,6 +153,17 @@ std::string curve_item(const LoadCurve& curve, std::size_t k, const std::string&
     return fmt::format("'{}' using 1:2 {} {}", file_name(k), style(curve, k), title);
 }
 
+// Behind the curve: band and correction.
+std::vector<std::string> bar_items(const LoadCurve& curve) {
+    if (!has_bar(curve) || curve.load.empty()) return {};
+    return {fmt::format(
+                "'{}' using 1:4:5 with filledcurves fs solid noborder lc rgb '#d8e2ee' title '95 % interval'",
+                file_name(0)),
+            fmt::format(
+                "'{}' using 1:3 with lines dt 3 lw 1.6 lc rgb '#444444' title 'corrected by the auditors'",
+                file_name(0))};
+}
+
 // The picture's title names a single curve already.
 std::string key_of(const LoadCurve& curve, const LoadPicture& picture) {
     if (picture.curves.size() == 1 || curve.label.empty()) return "notitle";
@@ -157,6 +177,7 @@ std::string reference_item(const ReferenceLine& r) {
 
 std::string keys_below(Plot& plot, const LoadPicture& picture) {
     const std::size_t curves = picture.curves.size();
+    if (curves == 1 && has_bar(picture.curves[0])) return key_below(plot, 2);
     if (curves < 2) return "unset key\n";
     if (curves > few_curves) plot.width = 900;
     return key_below(plot, curves);
@@ -173,6 +194,8 @@ Plot load_plot(const LoadPicture& picture) {
     const auto add = [&](const std::string& item) {
         items += (items.empty() ? "plot " : ", \\\n     ") + item;
     };
+    if (picture.curves.size() == 1)
+        for (const std::string& item : bar_items(picture.curves.front())) add(item);
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
         plot.script += breakout_label(picture.curves[k], k, picture, e);
         plot.data.emplace_back(file_name(k), rows(picture.curves[k]));

@@ -45,6 +45,10 @@ LoadCurve load_curve(const results::FinishedRun& run) {
     curve.label = results::title_of(run.scene);
     for (const io::LoadRow& row : run.record.load)
         curve.d_over_B.push_back(row.d_over_B), curve.load.push_back(row.load);
+    if (run.record.load_audited)
+        for (const io::LoadRow& row : run.record.load)
+            curve.corrected.push_back(row.corrected), curve.low.push_back(row.low),
+                curve.high.push_back(row.high);
     curve.unit_load = std::isfinite(unit) ? unit : 1;
     curve.breakout = results::breakout(curve.d_over_B, curve.load);
     return curve;

@@ -179,6 +179,11 @@ std::string switch_reasons(const io::Summary& s) {
     return text.empty() ? "none" : text;
 }
 
+std::string load_error(const io::Summary& s) {
+    if (std::isnan(s.audit.load_correction)) return "-";
+    return fmt::format("{:+.1f} ± {:.1f} %", 100 * s.audit.load_correction, 100 * s.audit.load_ci95);
+}
+
 std::vector<Row> screening_rows(const results::FinishedRun& run) {
     const io::Summary& s = run.summary;
     return {{"surrogate, gate and audit", ""},
@@ -188,7 +193,8 @@ std::vector<Row> screening_rows(const results::FinishedRun& run) {
             {"mean over the run", share(s.dem_fraction_mean)},
             {"surrogate updates", number(double(s.surrogate_updates), 3)},
             {"audit: stress error of the surrogate, share of p", audit_text(s)},
-            {"audited points", fmt::format("{}", s.audit.points)}};
+            {"audited points", fmt::format("{}", s.audit.points)},
+            {"auditors: what the load lacks at the peak, share of it", load_error(s)}};
 }
 
 // displacement_0100.png and its like; other pictures of the run have figures of their own.

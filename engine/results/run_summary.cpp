@@ -13,6 +13,7 @@
 #include "results/exact.hpp"
 #include "results/finished_run.hpp"
 #include "results/known_sand.hpp"
+#include "results/load_error.hpp"
 #include "results/mesh_error.hpp"
 #include "results/peak.hpp"
 #include "results/screening_summary.hpp"
@@ -109,6 +110,8 @@ void add_breakout(const simulation::RunSession& session, const scene::Scene& sce
     // docs/how_it_works.md (eq. 42).
     if (s.breakout) s.n_gamma = breakout.load / simulation::unit_load(scene, ground);
     s.late_load = late_load(curve.d, curve.load);
+    if (session.recorders().record().load_audited)
+        add_load_error(session.recorders().record().load, breakout, s.audit);
     s.extra.emplace_back("breakout_criterion", static_cast<double>(breakout.kind));
     if (const auto later = higher_later(curve.d, curve.load, breakout)) {
         s.extra.emplace_back("later_load_N_per_m", later->load);
@@ -150,6 +153,9 @@ void add_body_load(const simulation::RunSession& session, const scene::Scene& sc
         if (k == 0 || curve.load[k] > s.breakout_load)
             s.breakout_load = curve.load[k], s.breakout_d_over_B = curve.d[k];
     s.late_load = late_load(curve.d, curve.load);
+    if (session.recorders().record().load_audited)
+        add_load_error(session.recorders().record().load,
+                       {BreakoutKind::still_rising, s.breakout_d_over_B, s.breakout_load}, s.audit);
     s.warnings = simulation::caveats(scene, ground, session.simulation());
     warn_of_inertia(s);
     const double wave = simulation::wave_load(scene, ground, session.simulation()) / std::fabs(s.late_load);

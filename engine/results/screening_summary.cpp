@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/load_error.hpp"
+
 namespace sandgraph::results {
 namespace {
 
@@ -67,12 +69,14 @@ void add_screening(const stress::Law& law, std::size_t points, io::Summary& s) {
     s.dem_fraction_final = static_cast<double>(grains.active) / n;
     s.dem_fraction_mean = c.dem_points / std::max(1.0, static_cast<double>(c.steps)) / n;
     const stress::AuditRow audit = law.audit();
-    s.audit = {static_cast<std::int64_t>(audit.points), audit.mean, audit.ci95};
+    s.audit.points = static_cast<std::int64_t>(audit.points);
+    s.audit.stress_error_mean = audit.mean, s.audit.ci95 = audit.ci95;
     s.extra.emplace_back("rve_failures", static_cast<double>(grains.failures));
     s.extra.emplace_back("failed_answers", static_cast<double>(c.failed_answers));
     s.extra.emplace_back("dem_steps_replay", static_cast<double>(c.replay_steps));
     s.extra.emplace_back("dem_steps_shadow", static_cast<double>(c.shadow_steps));
     s.extra.emplace_back("dem_steps_audit", static_cast<double>(c.audit_steps));
+    s.extra.emplace_back("dem_steps_load_audit", static_cast<double>(c.load_audit_steps));
     add_hand_over(log, s);
 }
 
@@ -89,6 +93,7 @@ std::string screening_text(const io::Summary& s) {
         out += fmt::format("audit: the surrogate's stress is off by {:.1f} +- {:.1f} % of p ({} point{})\n",
                            100 * s.audit.stress_error_mean, 100 * s.audit.ci95, s.audit.points,
                            s.audit.points == 1 ? "" : "s");
+    out += load_error_text(s);
     if (const double failed = s.number("failed_answers"); failed > 0)
         out +=
             fmt::format("warning: the surrogate failed at {:.0f} points; their grains took over\n", failed);

@@ -61,6 +61,14 @@ void add_audit_keys(KeyTable& keys, graph::AuditSettings& a, bool in_use) {
         .in_hash = in_use;
     audit.integer("seed", a.seed, 0, "of the draw").in_hash = in_use;
     audit.real("every", a.every, "", at_least(1e-6), "d/B between two audits").in_hash = in_use;
+    audit
+        .integer("load_points", a.load_points, 0,
+                 "expected number of points whose packings measure the load's error; 0: none")
+        .in_hash = in_use;
+    audit
+        .real("load_evenly", a.load_evenly, "", above_up_to(0, 1),
+              "share of them drawn evenly, the rest by the power that their points take")
+        .in_hash = in_use;
 }
 
 }  // namespace

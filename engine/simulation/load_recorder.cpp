@@ -29,6 +29,7 @@ std::optional<io::LoadRow> LoadRecorder::after_step(const Simulation& simulation
     steps_ += 1;
     if (!due_by(simulation.mark())) return std::nullopt;
     io::LoadRow out = row(simulation, load_ / steps_);
+    add_error(simulation, out);
     add_drag(simulation, out);
     if (simulation.d_over_B() >= kQuasiStaticFrom && plate_work_ > 0)  // soft ground may push the plate first
         kinetic_share_max_ = std::fmax(kinetic_share_max_, out.kinetic_energy / work_scale(simulation));
@@ -50,6 +51,17 @@ io::LoadRow LoadRecorder::row(const Simulation& simulation, double load) const {
     out.rve_active = static_cast<double>(grains.active);
     out.dem_steps = static_cast<double>(grains.dem_steps);
     return out;
+}
+
+// docs/how_it_works.md (eq. 41e): of the whole plate, as the load is. Before the plate has moved both laws
+// still stand at the same stress.
+void LoadRecorder::add_error(const Simulation& simulation, io::LoadRow& row) {
+    stress::Law& law = *simulation.state().law;
+    if (!law.audits_load() || !simulation.anchored()) return;
+    const double travel = simulation.travel() - before_.travel;
+    const stress::VirtualWork work = law.take_missing_work();
+    const double force = travel > 0 ? factor_ / travel : 0;
+    bar_.add_to(row, force * work.missing, force * std::sqrt(work.variance));
 }
 
 // Forces times travel: docs/how_it_works.md (eq. 12c).
@@ -83,11 +95,13 @@ void LoadRecorder::archive(Archive& a) {
                              before_.kinetic,
                              before_.plate,
                              before_.travel};
+    for (const double one : bar_.state()) v.push_back(one);
     field_of_known_length(a, "load_recorder", v);
     require_state(v[0] >= 0, "load_recorder");
     next_ = v[0], steps_ = v[1], d_ = v[2], load_ = v[3], leading_ = v[4], trailing_ = v[5];
     plate_work_ = v[6], kinetic_share_max_ = v[7], last_ = v[8];
     before_ = {v[9], v[10], v[11], v[12], v[13]};
+    bar_.set_state(v[14], v[15]);
 }
 
 }  // namespace sandgraph::simulation

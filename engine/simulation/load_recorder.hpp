@@ -5,6 +5,7 @@
 
 #include "base/archive.hpp"
 #include "io/frame.hpp"
+#include "simulation/load_bar.hpp"
 #include "simulation/simulation.hpp"
 
 namespace sandgraph::simulation {
@@ -30,6 +31,7 @@ class LoadRecorder {
   private:
     void add(const Simulation& simulation);
     double work_scale(const Simulation& simulation) const;  // of the plate so far [J/m], above zero
+    void add_error(const Simulation& simulation, io::LoadRow& row);
     void add_drag(const Simulation& simulation, io::LoadRow& row);
     io::LoadRow row(const Simulation& simulation, double load) const;
     double every_, factor_, unit_load_;
@@ -37,6 +39,7 @@ class LoadRecorder {
     struct Account {  // since the start, of the whole plate [J/m], and its travel [m]
         double damping = 0, gained = 0, kinetic = 0, plate = 0, travel = 0;
     } before_;  // at the last row
+    LoadBar bar_;
     double kinetic_share_max_ = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -18,9 +18,9 @@ io::RunInfo info_of(const scene::Scene& scene, int threads) {
     return {scene.text, hex(scene::scene_hash(scene)), version(), revision(), mode, threads};
 }
 
-io::RunFile open_file(const scene::Scene& scene, const RunOptions& o) {
+io::RunFile open_file(const scene::Scene& scene, const RunOptions& o, bool load_audited) {
     return o.resume ? io::RunFile::resume(o.folder, info_of(scene, o.threads))
-                    : io::RunFile::create(o.folder, info_of(scene, o.threads));
+                    : io::RunFile::create(o.folder, info_of(scene, o.threads), load_audited);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ RunRecorders::RunRecorders(const scene::Scene& scene, const packings::PreparedGr
       loads_(scene.output.load_every, whole_plate_factor(scene), unit_load(scene, ground)),
       frames_(scene, simulation, initial_porosity(ground)),
       regions_(scene, simulation, initial_porosity(ground)),
-      file_(open_file(scene, options)) {
+      file_(open_file(scene, options, simulation.state().law->audits_load())) {
     file_.follow(regions_.regions());
     if (scene.output.history) history_.emplace(scene, ground, simulation, options.folder, options.resume);
 }

@@ -61,6 +61,10 @@ class Law {
     virtual std::vector<std::pair<std::string, double>> figures() const { return {}; }
     virtual const ScreeningLog* screening_log() const { return nullptr; }  // null: it does not screen
     virtual AuditRow audit() const { return {}; }                          // of this moment
+    // Does it measure what its stresses' errors do to the load?
+    virtual bool audits_load() const { return false; }
+    // Since it was last taken.
+    virtual VirtualWork take_missing_work() { return {}; }
     // Records the DEM updates of these points from now on, or of those that the law prefers: returns which.
     // Empty: it has no grains to watch.
     virtual std::vector<std::int32_t> watch(std::span<const std::int32_t>) { return {}; }

@@ -56,10 +56,18 @@ struct AuditRow {
     double ci95 = 0;        // half width of the 95 % confidence interval of the mean; NaN without a sample
 };
 
+// What auditors of the load say of a stretch of the run: the work that grains would have taken beyond what
+// the ground's stresses took along the same strain, sum of V (sigma_grains - sigma) : d(eps), of the modelled
+// part.
+struct VirtualWork {
+    double missing = 0;   // an estimate [J/m]
+    double variance = 0;  // of it, by the draw of the auditors [(J/m)^2]
+};
+
 struct ScreeningCounters {
     std::int64_t steps = 0, surrogate_updates = 0, failed_answers = 0;
-    std::int64_t replay_steps = 0, shadow_steps = 0, audit_steps = 0;  // DEM steps of packings that do not
-                                                                       // answer
+    // DEM steps of packings that do not answer.
+    std::int64_t replay_steps = 0, shadow_steps = 0, audit_steps = 0, load_audit_steps = 0;
     double dem_points = 0;  // summed over the steps: points that the grains answer for
     double jump_work = 0;   // energy that the fading jumps put into the ground: sum of jump : d(eps) V [J/m]
 };

@@ -20,7 +20,7 @@ graph::ScreeningSetup setup_of(const mpm::Points& points) {
     setup.surrogate = std::make_shared<support::ElementSurrogate>();
     setup.traits.assign(points.size(), {10e3, 0.2, 2e7, 1.4e7, 3.5, 0, 0, 0.5});
     setup.gate.strain = 2e-4;
-    setup.audit.share = 1;
+    setup.audit.share = 1, setup.audit.load_points = 1;
     return setup;
 }
 

@@ -32,6 +32,7 @@ class StressBlend {
     void fade(std::span<const Mat2> F_inc, std::span<const double> volume, std::span<Stress> stress,
               double& work);
     const std::vector<std::int32_t>& ended() const { return ended_; }
+    const std::vector<std::int32_t>& points() const { return fading_; }  // whose jumps fade now
 
     void save(ByteWriter& out) const;
     void load(ByteReader& in);

@@ -59,6 +59,7 @@ void ScreeningLaw::hand_over(const stress::Batch& batch) {
     replace_failed();     // failed answers -> shadow, at once
     switch_ready(batch);  // shadow -> blending
     hand_back(batch);     // grains -> critical state
+    audit_load(batch);    // what the stresses as they are now do to the load
     close_step(batch.around.d_over_B);
 }
 
@@ -157,10 +158,8 @@ Verdict ScreeningLaw::judge_answer(std::size_t slot, const Stress& predicted) co
 
 // Against the elastic det = G (K + G), the same in all directions.
 double ScreeningLaw::acoustic_share(std::int32_t p, const stress::Increment& e) const {
-    const std::size_t size = setup_.surrogate->state_size();
-    const auto state = std::span(states_).subspan(static_cast<std::size_t>(p) * size, size);
     const PlaneModuli& m = setup_.grains.packing(p).moduli;
-    return least_acoustic_determinant(setup_.surrogate->tangent(state, {e.xx, e.yy, 2 * e.xy})) /
+    return least_acoustic_determinant(setup_.surrogate->tangent(state(p), {e.xx, e.yy, 2 * e.xy})) /
            (m.shear * m.p_wave());
 }
 
@@ -258,7 +257,27 @@ void ScreeningLaw::hand_back(const stress::Batch& batch) {
         // Its audit goes on with the grains that have answered till now, whose stress it still has.
         if (const std::int32_t place = audit_.place(p); place >= 0)
             pool_->copy(p, audit_rve(place)), audit_.forget(place);
+        if (auditors_.present()) auditors_.go_on_from_grains(p, F_[p], state(p));
     }
+}
+
+void ScreeningLaw::audit_load(const stress::Batch& batch) {
+    if (!auditors_.present()) return;
+    const Followed ground{batch, visits_, F_, states_, setup_.traits, setup_.grains, *setup_.surrogate};
+    log_.counters.load_audit_steps +=
+        auditors_.after_step(ground, asked_, modes_, *pool_, counters_.failures);
+    auditors_.add_known(missing_under_jumps(batch));
+}
+
+// Where grains answer, a jump that fades is an error that is known [J/m].
+double ScreeningLaw::missing_under_jumps(const stress::Batch& batch) const {
+    double out = 0;
+    for (const std::int32_t point : blend_.points()) {
+        const auto p = static_cast<std::size_t>(point);
+        const double volume = batch.around.volume.empty() ? 1 : batch.around.volume[p];
+        if (modes_.by_grains(p)) out -= volume * product(blend_.rest(p), small_strain(batch.F_inc[p]));
+    }
+    return out;
 }
 
 bool ScreeningLaw::goes_back(std::int32_t p, const stress::SurrogateAnswer& followed) const {

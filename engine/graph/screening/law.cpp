@@ -29,11 +29,24 @@ ScreeningSetup completed(ScreeningSetup setup) {
     return setup;
 }
 
-// The packings of all points, then the second ones of the audited points.
-std::unique_ptr<RvePool> pool_of(const RveLawSetup& grains, const AuditSample& audit) {
-    auto initial = grains.initial_packings();
-    for (const std::int32_t p : audit.points()) initial.push_back(initial[static_cast<std::size_t>(p)]);
+// The packings of all points, then the second ones of the audited points, then those of auditors.
+std::unique_ptr<RvePool> pool_of(const RveLawSetup& grains, const AuditSample& audit, bool auditors) {
+    const auto own = grains.initial_packings();
+    auto initial = own;
+    for (const std::int32_t p : audit.points()) initial.push_back(own[static_cast<std::size_t>(p)]);
+    if (auditors) initial.insert(initial.end(), own.begin(), own.end());
     return grains.make_pool(initial, grains.material, grains.options);
+}
+
+Auditors auditors_of(const ScreeningSetup& s, std::size_t first_rve) {
+    std::vector<double> tolerance;
+    if (s.audit.load_points > 0)
+        for (const std::int32_t row : s.grains.packing_of_point)
+            tolerance.push_back(
+                path_tolerance(s.traits[static_cast<std::size_t>(row)], s.hand_over.path_error));
+    const std::size_t points = tolerance.size();
+    return {points, s.audit,
+            LedPackings(tolerance, s.surrogate->state_size(), first_rve, s.hand_over.replay_steps)};
 }
 
 }  // namespace
@@ -45,12 +58,13 @@ ScreeningLaw::ScreeningLaw(ScreeningSetup setup)
       blend_(visits_.size(), setup_.hand_over.blend_steps),
       audit_(visits_.size(), setup_.audit),
       felt_(visits_.size(), setup_.hand_over.blend_steps),
-      pool_(pool_of(setup_.grains, audit_)),
+      pool_(pool_of(setup_.grains, audit_, setup_.audit.load_points > 0)),
+      auditors_(auditors_of(setup_, size() + audit_.size())),
       F_(visits_.size(), Mat2::Identity()),
       states_(visits_.size() * setup_.surrogate->state_size()),
       caught_up_(visits_.size(), 0) {
     SG_EXPECT(setup_.traits.size() == setup_.grains.packings.size());
-    SG_ENSURE(pool_->size() == size() + audit_.size());
+    SG_ENSURE(pool_->size() == (auditors_.present() ? 2 : 1) * size() + audit_.size());
     for (std::size_t p = 0; p < size(); ++p)
         paths_.emplace_back(path_tolerance(traits(p), setup_.hand_over.path_error));
 }
@@ -211,8 +225,8 @@ stress::Observation ScreeningLaw::observe(std::size_t point) const {
 stress::GrainUse ScreeningLaw::grain_use() const {
     const stress::ScreeningCounters& s = log_.counters;
     return {static_cast<std::int64_t>(modes_.grain_points()),
-            counters_.dem_steps + s.replay_steps + s.shadow_steps + s.audit_steps, counters_.updates,
-            counters_.failures};
+            counters_.dem_steps + s.replay_steps + s.shadow_steps + s.audit_steps + s.load_audit_steps,
+            counters_.updates, counters_.failures};
 }
 
 AuditRow ScreeningLaw::audit() const {
@@ -259,7 +273,7 @@ void ScreeningLaw::save(ByteWriter& out) const {
     }
     pool_->save(out);
     out.put(log_.audits), out.put(log_.switches), out.put(log_.counters), out.put(counters_);
-    felt_.save(out);
+    felt_.save(out), auditors_.save(out);
 }
 
 void ScreeningLaw::load(ByteReader& in) {
@@ -271,7 +285,7 @@ void ScreeningLaw::load(ByteReader& in) {
     }
     pool_->load(in);
     in.take(log_.audits), in.take(log_.switches), in.take(log_.counters), in.take(counters_);
-    felt_.load(in, log_.switches.size());
+    felt_.load(in, log_.switches.size()), auditors_.load(in);
     require_state(in.empty(), "lengths");
     require_sound();
 }

@@ -4,6 +4,7 @@
 
 #include "graph/rve_law.hpp"
 #include "graph/screening/audit.hpp"
+#include "graph/screening/auditors.hpp"
 #include "graph/screening/blend.hpp"
 #include "graph/screening/felt_jumps.hpp"
 #include "graph/screening/gate.hpp"
@@ -47,6 +48,8 @@ class ScreeningLaw : public stress::Law {
     stress::GrainUse grain_use() const override;
     const stress::ScreeningLog* screening_log() const override { return &log_; }
     AuditRow audit() const override;
+    bool audits_load() const override { return auditors_.present(); }
+    stress::VirtualWork take_missing_work() override { return auditors_.take(); }
     // The history log follows the audited packings, whatever is asked for: full fidelity along the strain
     // that the surrogate led to.
     std::vector<std::int32_t> watch(std::span<const std::int32_t> points) override;
@@ -56,6 +59,7 @@ class ScreeningLaw : public stress::Law {
     void audit_now(double d_over_B);                           // adds the audit of this moment to the log
     const RveCounters& counters() const { return counters_; }  // of the packings that answer
     const Modes& modes() const { return modes_; }
+    const Auditors& auditors() const { return auditors_; }
     std::size_t size() const { return modes_.size(); }
 
   private:
@@ -70,6 +74,10 @@ class ScreeningLaw : public stress::Law {
     std::size_t audit_rve(std::int32_t place) const { return size() + static_cast<std::size_t>(place); }
     const stress::PackingTraits& traits(std::size_t point) const;
 
+    std::span<const double> state(std::int32_t point) const {  // of the surrogate
+        const std::size_t each = setup_.surrogate->state_size();
+        return std::span(states_).subspan(static_cast<std::size_t>(point) * each, each);
+    }
     double floor() const { return setup_.grains.options.pressure_floor; }  // of pressures in shares [Pa]
     void predict_point(std::int32_t point, const stress::Batch& batch);
     void add_visit(std::int32_t point);
@@ -89,6 +97,8 @@ class ScreeningLaw : public stress::Law {
     void replace_failed();
     void switch_ready(const stress::Batch& batch);
     void hand_back(const stress::Batch& batch);
+    void audit_load(const stress::Batch& batch);
+    double missing_under_jumps(const stress::Batch& batch) const;
     void close_step(double d_over_B);
 
     void raise_neighbours(const std::vector<std::int32_t>& centres, const Surroundings& around);
@@ -108,7 +118,9 @@ class ScreeningLaw : public stress::Law {
     StressBlend blend_;
     AuditSample audit_;
     FeltJumps felt_;
-    std::unique_ptr<RvePool> pool_;  // packing k is that of point k, then the audit's by place
+    // Packing k is that of point k, then the audit's by place, then the auditors' by point.
+    std::unique_ptr<RvePool> pool_;
+    Auditors auditors_;
     std::vector<Mat2> F_;  // by point: since the start, at its last answer (by grains: if they may go back)
     std::vector<StrainPath> paths_;  // by point
     std::vector<double> states_;     // of the surrogate [point x state_size]

@@ -39,7 +39,7 @@ void load(stress::Law& law, std::vector<std::uint8_t> bytes) {
 // Points of every mode, and audits.
 Bench<ScreeningLaw> sheared() {
     ScreeningSetup setup = setup_of(3, 2e-3);
-    setup.audit.share = 0.5;
+    setup.audit.share = 0.5, setup.audit.load_points = 2;
     auto bench = screening(3, setup);
     shear(bench, 520);
     return bench;

@@ -19,7 +19,7 @@ inline ScreeningSetup setup_of(std::size_t points, double strain) {
     s.gate.strain = strain;
     s.gate.stress_ratio = s.gate.spread = s.gate.distance = 1e9;
     s.gate.second_order_work = s.gate.acoustic = -1e9;
-    s.audit.share = 0;
+    s.audit.share = 0, s.audit.load_points = 0;
     s.hand_over.blend_steps = 40;
     return s;
 }

@@ -49,6 +49,13 @@ TEST(LoadColumns, EachValueStandsUnderItsOwnName) {
     }
 }
 
+TEST(LoadColumns, OfTheErrorBarStandBehindTheOthersAndOnlyWhereTheLoadIsAudited) {
+    const LoadRow row{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+    const std::string plain = load_csv_header(), audited = load_csv_header(true);
+    EXPECT_EQ(audited, plain + ",load_corrected_N_per_m,load_low_N_per_m,load_high_N_per_m");
+    EXPECT_EQ(load_csv_line(row, true), load_csv_line(row) + ",14,15,16");
+}
+
 // Mean, least and largest of quantity k are 100 k + 1, 2 and 3.
 RegionSeries numbered() {
     RegionRow row;

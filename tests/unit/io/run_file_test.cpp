@@ -130,6 +130,26 @@ TEST(RunFile, KeepsSceneSeriesFramesTimingsAndCounters) {
     EXPECT_THROW(read_run_frame(run.path(), 2), InputError);
 }
 
+TEST(RunFile, OfAnAuditedLoadKeepsItsErrorBar) {
+    const Scratch folder;
+    LoadRow one = row(0);
+    one.corrected = 5, one.low = 4, one.high = 7;
+    {
+        RunFile run = RunFile::create(folder / "out", info, true);
+        run.append(one);
+        run.commit();
+    }
+    const RunRecord read = read_run(folder / "out/run.h5");
+    EXPECT_TRUE(read.load_audited);
+    EXPECT_EQ(read.load[0].high, 7);
+    EXPECT_EQ(test::contents(folder / "out/load.csv"),
+              load_csv_header(true) + "\n" + load_csv_line(one, true) + "\n");
+    RunFile plain = RunFile::create(folder / "plain", info);
+    plain.append(one);
+    plain.commit();
+    EXPECT_FALSE(read_run(folder / "plain/run.h5").load_audited);
+}
+
 TEST(RunFile, LoadCsvHasEveryRowBeforeAnyCommit) {
     const Scratch folder;
     RunFile run = RunFile::create(folder / "out", info);

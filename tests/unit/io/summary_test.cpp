@@ -41,7 +41,9 @@ TEST(Summary, HasTheKeysScriptsRelyOnInTheirOrder) {
                                             "audit",
                                             "warnings"};
     EXPECT_EQ(keys, expected);
-    for (const char* key : {"points", "stress_error_mean", "ci95"}) EXPECT_TRUE(json["audit"].contains(key));
+    for (const char* key :
+         {"points", "stress_error_mean", "ci95", "load_correction", "load_ci95", "load_ci95_late"})
+        EXPECT_TRUE(json["audit"].contains(key));
 }
 
 TEST(Summary, TellsOfASurrogateOnlyWhereThereIsOne) {
@@ -70,6 +72,17 @@ TEST(Summary, ReadsBackTheSameAndNullForUnknown) {
     EXPECT_TRUE(read.breakout);
     EXPECT_EQ(read.warnings, s.warnings);
     EXPECT_NE(test::contents(folder / "summary.json").find("\"n_gamma_biarez\": null"), std::string::npos);
+}
+
+TEST(Summary, OfAVersionThatAuditedNoLoadIsReadWithoutIt) {
+    const Scratch folder;
+    std::string text = to_json(Summary{});
+    for (const char* key : {"load_correction", "load_ci95_late", "load_ci95"}) {
+        const std::size_t at = text.find("\"" + std::string(key) + "\"");
+        text.replace(at + 1, 4, "gone");
+    }
+    test::overwrite(folder / "s.json", text);
+    EXPECT_TRUE(std::isnan(read_summary(folder / "s.json").audit.load_ci95));
 }
 
 TEST(Summary, RefusesOtherJson) {

@@ -56,6 +56,21 @@ TEST(LoadPlot, ShowsEveryPointOfFewCurvesInUnitsOfTheOverburden) {
     }
 }
 
+TEST(LoadPlot, ShowsTheCorrectionAndTheBandOfAnAuditedLoad) {
+    LoadCurve audited = curve();
+    for (const double load : audited.load)
+        audited.corrected.push_back(load - 100), audited.low.push_back(load - 300),
+            audited.high.push_back(load + 100);
+    const Plot plot = load_plot({"t", {audited}, {}});
+    const Table rows = numbers(file(plot, "curve0.txt"));
+    ASSERT_EQ(rows.at(40).size(), 5u);
+    EXPECT_NEAR(rows[40][2], 2.95, 1e-9);
+    EXPECT_NEAR(rows[40][3], 2.85, 1e-9);
+    EXPECT_NEAR(rows[40][4], 3.05, 1e-9);
+    EXPECT_TRUE(says(plot, "filledcurves"));
+    EXPECT_FALSE(says(load_plot({"t", {curve()}, {}}), "filledcurves"));
+}
+
 TEST(LoadPlot, ShowsEveryPointOfManyCurves) {
     const Table rows =
         numbers(file(load_plot({"t", {curve(), curve(2), curve(3), curve(4)}, {}}), "curve1.txt"));

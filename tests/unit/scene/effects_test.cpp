@@ -65,7 +65,8 @@ TEST(KeyWithoutEffect, BesideASwitchThatIsOffIsRefused) {
     expect_idle("[output]\nhistory_max = \"10 MB\"\n", "s.toml:2", "nothing is logged");
     expect_idle("[gate]\nactive = false\nstrain = 0.01\n", "s.toml:3", "gate.active = false");
     expect_idle("[gate]\nacoustic_from = 0.8\n", "s.toml:2", "is off");
-    expect_idle("[audit]\nshare = 0\nseed = 3\n", "s.toml:3", "nothing is audited");
+    expect_idle("[audit]\nload_points = 0\nload_evenly = 0.5\n", "s.toml:3", "nothing is audited");
+    EXPECT_EQ(refused("[audit]\nshare = 0\nseed = 3\n"), "accepted");  // the load is audited all the same
     expect_idle("[rve]\nupdate_tolerance = 0\nupdate_change_max = 0.1\n", "s.toml:3", "nothing is predicted");
     expect_idle("[rve]\nupdate_tolerance = 0\npredictor = \"elastic\"\n", "s.toml:3", "nothing is predicted");
     expect_idle("[rve]\nsteady_strain = 0.02\n", "s.toml:2", "never loosen");
