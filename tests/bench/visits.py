@@ -13,7 +13,7 @@ import statistics
 import subprocess
 
 FORMER = ["rve.update_tolerance=0.0025", "rve.update_change_max=0.05", "rve.predictor=elastic",
-          "rve.stress_per_step_max=0.0075"]
+          "rve.stress_per_step_max=0.0075", "rve.steps_max=0", "rve.kernel=double"]
 # orientation, H/B, width, depth [m], density, surcharge [kPa], end of the pull
 PLATES = {"dense": ("horizontal", 3, 4, 5, "dense", 0, 0.04), "loose": ("horizontal", 3, 4, 5, "loose", 0, 0.05),
           "vertical": ("vertical", 3, 9, 5, "dense", 0, 0.05), "deep": ("horizontal", 8, 5, 11, "dense", 0, 0.05),
