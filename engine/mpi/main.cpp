@@ -24,9 +24,13 @@ int lead(mpi::MpiTeam& team, int argc, char** argv) {
     return app::run_command_line(argc, argv, std::make_shared<ranks::Leader>(team));
 }
 
-// Rank 0 is asked to stop, too, and ends the run at its next step.
+// mpirun hands on SIGUSR1, not SIGTERM: on that it kills. Rank 0 ends the run at its next step, as on
+// SIGTERM.
+void stop_on_usr1(int) { std::raise(SIGTERM); }
+
+// Rank 0 is asked to stop, too, and tells the others.
 void leave_signals_to_rank_0() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, SIG_IGN);
 }
 
 }  // namespace
@@ -38,6 +42,7 @@ int main(int argc, char** argv) {
         ranks::follow(team);
         return app::exit_done;
     }
+    std::signal(SIGUSR1, stop_on_usr1);
     const int code = lead(team, argc, argv);
     ranks::tell(team, {});
     return code;

@@ -89,13 +89,12 @@ void RankPool::drive(std::span<const RveJob> jobs, std::span<RveAnswer> answers)
     }
     if (waits_) meet();
     guests_.clear();
-    Bytes records;
     try {
-        drive_own(jobs, records);
+        drive_own(jobs);
     } catch (const std::exception& error) {
         team_.abandon(error.what());  // the others wait for these answers
     }
-    exchange(jobs, records, answers);
+    exchange(jobs, answers);
     if (figures_.exchanges % kBalanceEvery == 0) balance();
 }
 
@@ -123,28 +122,29 @@ void RankPool::serve() {
 }
 
 // The order of the jobs is kept: the longest first.
-void RankPool::drive_own(std::span<const RveJob> jobs, Bytes& records) {
+void RankPool::drive_own(std::span<const RveJob> jobs) {
     own_.clear();
     for (const RveJob& job : jobs)
         if (mine(job.rve)) own_.push_back(job);
     own_answers_.resize(own_.size());
     local_->drive(own_, own_answers_);
-    ByteWriter out(records);
+    records_.clear();
+    ByteWriter out(records_);
     const Heading heading{hash_of(jobs), will_look_};
     out.put(heading.step), out.put(heading.will_look);
     for (std::size_t k = 0; k < own_.size(); ++k)
         put_record(own_[k], own_answers_[k], known(*local_, own_[k].rve), caps_, out);
 }
 
-void RankPool::exchange(std::span<const RveJob> jobs, const Bytes& records, std::span<RveAnswer> answers) {
+void RankPool::exchange(std::span<const RveJob> jobs, std::span<RveAnswer> answers) {
     sizes_.assign(static_cast<std::size_t>(team_.size()), kHeading);
     for (const RveJob& job : jobs)
         sizes_[static_cast<std::size_t>(owners_.of(job.rve))] += record_bytes(job, caps_);
     std::size_t sum = 0;
     for (const std::size_t size : sizes_) sum += size;
     all_.resize(sum);
-    SG_EXPECT(records.size() == sizes_[static_cast<std::size_t>(team_.rank())]);
-    team_.gather(records, sizes_, all_);
+    SG_EXPECT(records_.size() == sizes_[static_cast<std::size_t>(team_.rank())]);
+    team_.gather(records_, sizes_, all_);
     ++figures_.exchanges, figures_.bytes += static_cast<std::int64_t>(sum);
     take_all(jobs, answers);
     count(jobs, answers);

@@ -58,9 +58,8 @@ class RankPool final : public graph::RvePool {
     bool mine(std::size_t rve) const { return owners_.of(rve) == team_.rank(); }
     void require_same_packings(const graph::InitialPackings& initial);
     void meet();
-    void drive_own(std::span<const graph::RveJob> jobs, Bytes& records);
-    void exchange(std::span<const graph::RveJob> jobs, const Bytes& records,
-                  std::span<graph::RveAnswer> answers);
+    void drive_own(std::span<const graph::RveJob> jobs);
+    void exchange(std::span<const graph::RveJob> jobs, std::span<graph::RveAnswer> answers);
     void take_all(std::span<const graph::RveJob> jobs, std::span<graph::RveAnswer> answers);
     std::vector<ByteReader> open_messages();
     void count(std::span<const graph::RveJob> jobs, std::span<const graph::RveAnswer> answers);
@@ -86,7 +85,7 @@ class RankPool final : public graph::RvePool {
 
     // Of this call.
     std::vector<std::size_t> sizes_;  // by rank [B]
-    Bytes all_;
+    Bytes records_, all_;
     std::vector<graph::RveJob> own_;
     std::vector<graph::RveAnswer> own_answers_;
 

@@ -91,7 +91,7 @@ TEST_F(Ranks, ThatAreStoppedGoOnInAnyNumber) {
     ASSERT_EQ(run("one"), 0);
     const pid_t pid = start_on(3, "stopped", {"--threads", "1"});
     wait_for_checkpoint(pid, "stopped");
-    kill(process_of(0, pid), SIGTERM);
+    kill(pid, SIGUSR1);  // mpirun hands it on
     EXPECT_EQ(finish(pid), 3) << text_of(log());
     ASSERT_EQ(run_on(2, "stopped", {"--threads", "1", "--until", "0.02", "--resume"}), 0) << text_of(log());
     ASSERT_EQ(run("stopped", {"--resume"}), 0);  // and in one process

@@ -72,6 +72,29 @@ TEST(StrainPath, KeepsReversals) {
     EXPECT_NEAR(furthest, 1e-3, 1e-5);
 }
 
+std::vector<std::uint8_t> bytes_of(const StrainPath& path) {
+    std::vector<std::uint8_t> bytes;
+    ByteWriter out(bytes);
+    path.save(out);
+    return bytes;
+}
+
+// Points are added to both all the while; now and then one is driven and the other told how far.
+TEST(StrainPath, FollowsACopyThatIsDrivenElsewhere) {
+    StrainPath driven(2e-5), told(2e-5);
+    Random random(11);
+    int ends = 0;
+    for (const Mat2& F : wandering(7, 1500, 5e-6)) {
+        driven.add(F), told.add(F);
+        if (random.uniform() > 0.2) continue;
+        for (int piece = 0; piece < 4 && !driven.done(); ++piece) driven.advance(random.uniform(1e-6, 2e-4));
+        told.follow(driven.place());
+        ASSERT_EQ(bytes_of(driven), bytes_of(told));
+        ends += driven.done();
+    }
+    EXPECT_GT(ends, 10);
+}
+
 TEST(StrainPath, HoldsABoundedNumberOfKnots) {
     StrainPath path(1e-7);
     for (const Mat2& F : wandering(5, 4000, 1e-5)) {
