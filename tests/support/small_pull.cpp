@@ -108,7 +108,7 @@ std::unique_ptr<simulation::Simulation> small_screening_pull() { return pull_wit
 std::unique_ptr<simulation::Simulation> small_carrying_pull() { return pull_with(small, carrying_law); }
 std::unique_ptr<simulation::Simulation> wide_pull() { return pull_with(wide, full_law); }
 
-std::unique_ptr<simulation::Simulation> small_pull(SmallPull kind, const graph::PoolMaker& make_pool) {
+std::unique_ptr<simulation::Simulation> small_pull_in(SmallPull kind, const graph::PoolMaker& make_pool) {
     constexpr LawMaker laws[] = {full_law, carrying_law, screening_law};
     return pull_with(small, laws[static_cast<int>(kind)], make_pool);
 }

@@ -15,7 +15,7 @@ std::unique_ptr<simulation::Simulation> small_screening_pull();
 
 // The three with packings that live elsewhere.
 enum class SmallPull { full, carrying, screening };
-std::unique_ptr<simulation::Simulation> small_pull(SmallPull kind, const graph::PoolMaker& make_pool);
+std::unique_ptr<simulation::Simulation> small_pull_in(SmallPull kind, const graph::PoolMaker& make_pool);
 
 // A ground of 32 x 64 cells round the same plate: more points than mpm::serial_limit, in nine bands.
 std::unique_ptr<simulation::Simulation> wide_pull();

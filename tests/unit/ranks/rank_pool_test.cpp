@@ -15,7 +15,7 @@ constexpr int kSteps = 150;
 struct Member {
     explicit Member(Team& team, SmallPull kind) {
         simulation =
-            support::small_pull(kind, [&](const auto& initial, const auto& material, const auto& options) {
+            support::small_pull_in(kind, [&](const auto& initial, const auto& material, const auto& options) {
                 auto made = std::make_unique<RankPool>(team, initial, material, options);
                 pool = made.get();
                 return made;
@@ -34,7 +34,7 @@ struct Member {
 };
 
 std::string alone(SmallPull kind) {
-    const auto pull = support::small_pull(kind, graph::local_pool);
+    const auto pull = support::small_pull_in(kind, graph::local_pool);
     for (int k = 0; k < kSteps; ++k) pull->step();
     return support::digest(*pull);
 }
@@ -71,7 +71,7 @@ TEST_P(RanksOfThreads, ComeToTheBitsOfOneProcess) {
 }
 
 TEST_P(RanksOfThreads, ShowEveryPackingToRank0) {
-    const auto pull = support::small_pull(kind(), graph::local_pool);
+    const auto pull = support::small_pull_in(kind(), graph::local_pool);
     for (int k = 0; k < kSteps; ++k) pull->step();
     support::ThreadRanks(ranks()).run([&](Team& team) {
         Member member(team, kind());
@@ -85,7 +85,7 @@ TEST_P(RanksOfThreads, ShowEveryPackingToRank0) {
 
 // What a checkpoint holds does not tell how many ranks there were; any number goes on from it.
 TEST_P(RanksOfThreads, GoOnFromTheCheckpointOfAnyNumber) {
-    const auto first = support::small_pull(kind(), graph::local_pool);
+    const auto first = support::small_pull_in(kind(), graph::local_pool);
     for (int k = 0; k < kSteps / 3; ++k) first->step();
     support::MemoryArchive alone_archive, shared_archive;
     first->archive(alone_archive);
