@@ -21,7 +21,7 @@ struct RveStepping {
     double rate_jump_max = 0;
     double steady_factor = 1;     // by which the bounds on I and on a step's strain loosen at most ...
     double steady_strain = 0.01;  // ... as the strain one way comes to be so many times this
-    int steps_max = 40;           // DEM steps of an update at most, the rest is for the next; 0: no bound
+    int steps_max = 0;            // DEM steps of an update at most, the rest is for the next; 0: no bound
     RveKernel kernel = RveKernel::mixed;
 };
 

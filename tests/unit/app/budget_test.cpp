@@ -50,7 +50,7 @@ TEST_F(Budget, IsRefusedOfAGroundWithoutAPlate) {
 constexpr const char* kSand = R"(
 [domain]
 width = "2 m"
-depth = "2 m"
+depth = "2.5 m"
 cell = "0.25 m"
 [anchor]
 embedment_ratio = 1

@@ -42,13 +42,13 @@ TEST(SceneKeys, AnEmptySceneIsTheDefault) {
 TEST(SceneKeys, OfVisitsAreRead) {
     const graph::RveSettings usual = parse_scene("", "s.toml").ground.rve,
                              rve = parse_scene(
-                                       "[rve]\npredictor = \"secant\"\nrate_jump_max = 2\n"
+                                       "[rve]\npredictor = \"elastic\"\nrate_jump_max = 2\n"
                                        "steady_factor = 3\nsteady_strain = 0.02\nsteps_max = 40\n",
                                        "s.toml")
                                        .ground.rve;
-    EXPECT_EQ(usual.predictor, graph::Predictor::elastic);
+    EXPECT_EQ(usual.predictor, graph::Predictor::secant);
     EXPECT_EQ(usual.steps_max, 0);
-    EXPECT_EQ(rve.predictor, graph::Predictor::secant);
+    EXPECT_EQ(rve.predictor, graph::Predictor::elastic);
     EXPECT_EQ(rve.rate_jump_max, 2);
     EXPECT_EQ(rve.steady_factor, 3);
     EXPECT_EQ(rve.steady_strain, 0.02);
