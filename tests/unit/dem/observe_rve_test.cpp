@@ -23,9 +23,16 @@ Rve sheared() {
     return rve;
 }
 
+// Its grains as the mixed kernel knows them, radii rounded.
+Packing shown(const Rve& rve) {
+    Packing p = to_packing(rve.packing());
+    for (double& r : p.r) r = static_cast<float>(r);
+    return p;
+}
+
 // The long way: every pair searched anew, contacts sorted.
 Observables searched(const Rve& rve) {
-    const Packing p = to_packing(rve.packing());
+    const Packing p = shown(rve);
     return observe(p, contact_forces(p, Material{}), Material{});
 }
 
@@ -36,7 +43,7 @@ TEST(ObserveRve, PairListHoldsTheContactsThatASearchFinds) {
     EXPECT_EQ(listed.coordination, all.coordination);
     EXPECT_EQ(listed.mechanical_coordination, all.mechanical_coordination);
     EXPECT_EQ(listed.sliding_fraction, all.sliding_fraction);
-    const auto near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-9 * std::abs(b)); };
+    const auto near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-7 * std::abs(b)); };
     near(listed.unbalanced, all.unbalanced);
     near(listed.elastic_normal, all.elastic_normal);
     near(listed.elastic_tangential, all.elastic_tangential);
@@ -63,8 +70,7 @@ TEST(ObserveRve, SlidingIsSeenThroughTheRoundingOfAPackingAtRest) {
     EXPECT_GT(share, 0.02);
     EXPECT_LT(share, 0.5);
     int limited = 0, contacts = 0;
-    Packing p = to_packing(rve.packing());
-    for (double& r : p.r) r = static_cast<float>(r);  // as the mixed kernel knows them
+    const Packing p = shown(rve);
     const double tan_phi = std::tan(Material{}.friction_angle);
     for (const ContactForce& c : contact_forces(p, Material{})) {
         ++contacts;
