@@ -72,7 +72,9 @@ void shaken(Effort effort, Findings& found, GroundSpec spec, const char* how) {
     const Rest rest = at_rest(ground, steps);
     const double stored = ground.kinetic() + ground.potential() - potential + ground.state().stress_work;
     found.at_most("energy left, share of the kick", stored / kick, 1);
-    found.at_most("kinetic energy of the last fifth, share of the kick", rest.kinetic_last / kick, 0.05);
+    // Without grid damping the grains alone take it, slowly.
+    const double most = effort == Effort::quick ? 0.1 : 0.05;
+    found.at_most("kinetic energy of the last fifth, share of the kick", rest.kinetic_last / kick, most);
     found.at_most("largest settlement [mm]", 1e3 * rest.settlement, 0.5);
     found.within("K below 0.3 m: lowest", rest.K_low, 0.7, 1.4);
     found.within("K below 0.3 m: highest", rest.K_high, 0.7, 1.4);
