@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -38,6 +39,18 @@ std::uint64_t hash_of(std::span<const RveJob> jobs) {
     return hash.value();
 }
 
+// In the form of the kernel, as the pool that drives them holds them: what is shown of one that has not been
+// driven has the same bits on every rank.
+graph::InitialPackings in_form_of(dem::RveKernel kernel, graph::InitialPackings initial) {
+    std::map<const dem::CompactPacking*, std::shared_ptr<const dem::CompactPacking>> ready;
+    for (auto& packing : initial) {
+        auto& form = ready[packing.get()];
+        if (!form) form = kernel == dem::RveKernel::mixed ? dem::in_mixed_form(packing) : packing;
+        packing = form;
+    }
+    return initial;
+}
+
 std::uint64_t hash_of(const graph::InitialPackings& initial) {
     Hasher hash;
     const dem::CompactPacking* last = nullptr;
@@ -54,7 +67,7 @@ std::uint64_t hash_of(const graph::InitialPackings& initial) {
 RankPool::RankPool(Team& team, const graph::InitialPackings& initial, const dem::Material& material,
                    const dem::RveOptions& options)
     : team_(team),
-      initial_(initial),
+      initial_(in_form_of(options.kernel, initial)),
       local_(graph::local_pool(initial, material, options)),
       caps_(options.steps_max > 0),
       owners_(initial.size(), team.size()),
